@@ -1,0 +1,31 @@
+# The same program, with a compiler and pkg-config alone.
+include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
+find_program(PKG_CONFIG NAMES pkg-config pkgconf)
+if(NOT PKG_CONFIG)
+    message(FATAL_ERROR "pkg-config is not installed (Debian: apt-get install pkg-config)")
+endif()
+set(ENV{PKG_CONFIG_PATH} "${PREFIX}/share/pkgconfig")
+
+function(ask result)
+    execute_process(
+        COMMAND "${PKG_CONFIG}" ${ARGN} OUTPUT_VARIABLE output RESULT_VARIABLE status OUTPUT_STRIP_TRAILING_WHITESPACE
+    )
+    if(NOT status EQUAL 0)
+        message(FATAL_ERROR "pkg-config ${ARGN} failed")
+    endif()
+    set(${result} "${output}" PARENT_SCOPE)
+endfunction()
+
+ask(version --modversion airlight)
+if(NOT version STREQUAL VERSION)
+    message(FATAL_ERROR "pkg-config says version ${version}, the project is ${VERSION}")
+endif()
+ask(glsldir --variable=glsldir airlight)
+if(NOT EXISTS "${glsldir}/airlight.glsl")
+    message(FATAL_ERROR "pkg-config's glsldir is '${glsldir}', where there is no airlight.glsl")
+endif()
+ask(flags --cflags --libs airlight)
+separate_arguments(flags UNIX_COMMAND "${flags}")
+file(MAKE_DIRECTORY "${WORK}/pkg_config")
+run("${CXX}" -std=c++17 "${TEST_SOURCE}/example/sky.cpp" -o "${WORK}/pkg_config/sky" ${flags})
+run("${WORK}/pkg_config/sky")

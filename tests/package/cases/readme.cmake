@@ -1,0 +1,10 @@
+# The program printed in the README is the program that these tests build, character for character.
+include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
+file(READ "${SOURCE}/README.md" readme)
+foreach(file example/sky.cpp)
+    file(READ "${TEST_SOURCE}/${file}" text)
+    string(FIND "${readme}" "\n${text}```" position)
+    if(position EQUAL -1)
+        message(FATAL_ERROR "README.md does not contain tests/package/${file} as it is; copy the file into it")
+    endif()
+endforeach()

@@ -1,0 +1,11 @@
+# After `uninstall` the prefix holds no file, and no folder of the library's; a second one says so and fails.
+include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
+run("${CMAKE_COMMAND}" --build "${LIBRARY_BUILD}" --target uninstall)
+file(GLOB_RECURSE left LIST_DIRECTORIES true "${PREFIX}/*")
+foreach(path IN LISTS left)
+    if(NOT IS_DIRECTORY "${path}" OR path MATCHES "airlight")
+        file(RELATIVE_PATH path "${PREFIX}" "${path}")
+        message(FATAL_ERROR "left after uninstall: ${path}")
+    endif()
+endforeach()
+expect_failure("nothing to uninstall" "${CMAKE_COMMAND}" --build "${LIBRARY_BUILD}" --target uninstall)
