@@ -1,0 +1,31 @@
+#pragma once
+
+// Everything the library has, from the lowest level to the highest.
+#include <airlight/constants.hpp>
+#include <airlight/types.hpp>
+
+#include <airlight/scene.hpp>
+
+#include <airlight/numeric.hpp>
+
+#include <airlight/color.hpp>
+#include <airlight/density.hpp>
+#include <airlight/phase.hpp>
+#include <airlight/ray_sphere.hpp>
+#include <airlight/spectrum.hpp>
+
+#include <airlight/atmosphere.hpp>
+#include <airlight/atmospheres.hpp>
+#include <airlight/viewpoint.hpp>
+
+#include <airlight/view_path.hpp>
+
+#include <airlight/column.hpp>
+
+#include <airlight/optical_depth.hpp>
+#include <airlight/transmittance.hpp>
+
+#include <airlight/ambient.hpp>
+#include <airlight/single_scattering.hpp>
+
+#include <airlight/compose.hpp>

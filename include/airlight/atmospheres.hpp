@@ -1,0 +1,148 @@
+#pragma once
+
+#include <airlight/atmosphere.hpp>
+
+namespace airlight {
+
+/// Earth with an ozone layer, at 680, 550 and 440 nm. The default.
+///
+/// Units:    metres.
+/// Domain:   none, it takes no argument.
+/// Accuracy: the printed numbers, rounded to T.
+/// Errors:   none.
+/// Source:   the numbers of Bruneton (2017), demo.cc: Rayleigh 1.24062e-6 / m at 1 um, aerosol optical
+///           depth 5.328e-3 of albedo 0.9, 300 Dobson units of ozone in a tent; the top at 100 km
+///           as in Hillaire's demo of A Scalable and Production Ready Sky (2020).
+template <typename T>
+Atmosphere<T> earth() {
+    return Atmosphere<T>{
+        T(6360e3),                                       // ground_radius
+        T(100e3),                                        // top_altitude
+        vec3<T>(T(5.802e-6), T(13.558e-6), T(33.1e-6)),  // rayleigh_scattering
+        T(8e3),                                          // rayleigh_scale_height
+        vec3<T>(T(3.996e-6), T(3.996e-6), T(3.996e-6)),  // mie_scattering
+        vec3<T>(T(0.444e-6), T(0.444e-6), T(0.444e-6)),  // mie_absorption
+        T(1.2e3),                                        // mie_scale_height
+        T(0.8),                                          // mie_g, a mean cosine of 0.844
+        vec3<T>(T(0.65e-6), T(1.881e-6), T(0.085e-6)),   // ozone_absorption
+        T(25e3),                                         // ozone_altitude
+        T(15e3),                                         // ozone_half_width
+        vec3<T>(T(0.1), T(0.1), T(0.1))                  // ground_albedo
+    };
+}
+
+/// Earth as in the CS562 deferred renderer: strong haze, no ozone.
+///
+/// The document's extinction is scattering / 0.9, which we read as absorption = scattering / 9.
+///
+/// Units:    metres.
+/// Domain:   none, it takes no argument.
+/// Accuracy: the printed numbers, rounded to T.
+/// Errors:   none.
+/// Source:   Deferred atmospheric scattering, a CS562 project report: coefficients per kilometre
+///           and g; radii, heights and albedo are chosen here, the report leaves them to its user.
+template <typename T>
+Atmosphere<T> cs562_earth() {
+    return Atmosphere<T>{
+        T(6371e3),                                   // ground_radius, chosen
+        T(100e3),                                    // top_altitude, chosen
+        vec3<T>(T(5.8e-6), T(13.5e-6), T(33.1e-6)),  // rayleigh_scattering
+        T(8e3),                                      // rayleigh_scale_height, chosen
+        vec3<T>(T(20e-6), T(20e-6), T(20e-6)),       // mie_scattering
+        vec3<T>(T(2.2222222222222222e-6), T(2.2222222222222222e-6),
+                T(2.2222222222222222e-6)),  // mie_absorption
+        T(1.2e3),                           // mie_scale_height, chosen
+        T(0.76),                            // mie_g, a mean cosine of 0.810
+        vec3<T>(T(0), T(0), T(0)),          // ozone_absorption, none
+        T(25e3),                            // ozone_altitude, unused
+        T(15e3),                            // ozone_half_width, unused
+        vec3<T>(T(0.1), T(0.1), T(0.1))     // ground_albedo, chosen
+    };
+}
+
+/// Earth as in the notes on precomputed scattering after Elek: clear air, no ozone.
+///
+/// The notes print both absorption = scattering / 0.9 and an extinction that contains it, an albedo
+/// of 0.474; we read extinction = scattering / 0.9, an albedo of 0.9, as the works they follow do.
+///
+/// Units:    metres.
+/// Domain:   none, it takes no argument.
+/// Accuracy: the printed numbers, rounded to T.
+/// Errors:   none.
+/// Source:   Notes on precomputed atmospheric scattering in Unity: coefficients and heights; radii,
+///           g and albedo are chosen here, the notes give none.
+template <typename T>
+Atmosphere<T> elek_earth() {
+    return Atmosphere<T>{
+        T(6371e3),                                    // ground_radius, chosen
+        T(100e3),                                     // top_altitude, chosen
+        vec3<T>(T(6.55e-6), T(17.3e-6), T(23.0e-6)),  // rayleigh_scattering
+        T(8e3),                                       // rayleigh_scale_height
+        vec3<T>(T(2e-6), T(2e-6), T(2e-6)),           // mie_scattering
+        vec3<T>(T(0.22222222222222222e-6), T(0.22222222222222222e-6),
+                T(0.22222222222222222e-6)),  // mie_absorption
+        T(1.2e3),                            // mie_scale_height
+        T(0.76),                             // mie_g, chosen
+        vec3<T>(T(0), T(0), T(0)),           // ozone_absorption, none
+        T(25e3),                             // ozone_altitude, unused
+        T(15e3),                             // ozone_half_width, unused
+        vec3<T>(T(0.1), T(0.1), T(0.1))      // ground_albedo, chosen
+    };
+}
+
+/// Earth as in Leenman's shader. Its ozone is a Lorentz curve times the Rayleigh density: compile
+/// the scene with ozone = ozone_lorentzian.
+///
+/// Units:    metres.
+/// Domain:   none, it takes no argument.
+/// Accuracy: the printed numbers, rounded to T.
+/// Errors:   none.
+/// Source:   Leenman, Atmospheric scattering explained (2021); albedo chosen here. The shader's
+///           aerosol does not absorb.
+template <typename T>
+Atmosphere<T> leenman_earth() {
+    return Atmosphere<T>{
+        T(6371e3),                                    // ground_radius
+        T(100e3),                                     // top_altitude
+        vec3<T>(T(5.5e-6), T(13.0e-6), T(22.4e-6)),   // rayleigh_scattering
+        T(8e3),                                       // rayleigh_scale_height
+        vec3<T>(T(21e-6), T(21e-6), T(21e-6)),        // mie_scattering
+        vec3<T>(T(0), T(0), T(0)),                    // mie_absorption
+        T(1.2e3),                                     // mie_scale_height
+        T(0.7),                                       // mie_g
+        vec3<T>(T(20.4e-6), T(49.7e-6), T(1.95e-6)),  // ozone_absorption
+        T(30e3),                                      // ozone_altitude
+        T(4e3),                                       // ozone_half_width
+        vec3<T>(T(0.1), T(0.1), T(0.1))               // ground_albedo, chosen
+    };
+}
+
+/// Mars on a clear day of a dusty season, at 680, 550 and 440 nm; dust is the aerosol.
+///
+/// Units:    metres.
+/// Domain:   none, it takes no argument.
+/// Accuracy: the printed numbers, rounded to T.
+/// Errors:   none.
+/// Source:   radius and scale height from NASA's Mars fact sheet; Rayleigh by rayleigh_coefficient
+///           with n - 1 = 3.37e-6, N = 2.05e23 / m^3, depolarisation 0.09 (CosmoScout VR's Mars);
+///           dust optical depth 0.9 and scale height 11.56 km from Lemmon et al. (2004). The dust's
+///           albedo 0.97, 0.93, 0.80, its g and the ground are chosen here for Mars's known colours.
+template <typename T>
+Atmosphere<T> mars() {
+    return Atmosphere<T>{
+        T(3390e3),  // ground_radius
+        T(100e3),   // top_altitude, chosen: e^-9 of the air is above
+        vec3<T>(T(0.10006e-6), T(0.23379e-6), T(0.57078e-6)),  // rayleigh_scattering
+        T(11.1e3),                                             // rayleigh_scale_height
+        vec3<T>(T(75.52e-6), T(72.40e-6), T(62.28e-6)),        // mie_scattering
+        vec3<T>(T(2.34e-6), T(5.45e-6), T(15.57e-6)),          // mie_absorption
+        T(11.56e3),                                            // mie_scale_height
+        T(0.65),                                               // mie_g, chosen
+        vec3<T>(T(0), T(0), T(0)),                             // ozone_absorption, none
+        T(25e3),                                               // ozone_altitude, unused
+        T(15e3),                                               // ozone_half_width, unused
+        vec3<T>(T(0.27), T(0.16), T(0.09))                     // ground_albedo, chosen
+    };
+}
+
+}  // namespace airlight

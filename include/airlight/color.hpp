@@ -1,0 +1,91 @@
+#pragma once
+
+#include <airlight/numeric.hpp>
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// Luminance of a linear Rec. 709 colour, relative to white.
+///
+///     Y = 0.2126 R + 0.7152 G + 0.0722 B
+///
+/// Units:    radiance and result in one unit.
+/// Shape:    radiance is a spectrum, red, green, blue.
+/// Domain:   every finite colour.
+/// Accuracy: 3 ulp for colours >= 0.
+/// Errors:   none.
+/// Source:   ITU-R BT.709, item 3.2.
+template <typename T>
+T luminance(const vec3<T>& radiance) {
+    return T(0.2126) * radiance.x + T(0.7152) * radiance.y + T(0.0722) * radiance.z;
+}
+
+/// Exposes a radiance as film does: linear for little light, at most 1 for much.
+///
+///     1 - exp(-exposure x)
+///
+/// Units:    radiance times exposure [1]; result [1], in [0, 1].
+/// Shape:    radiance is a spectrum.
+/// Domain:   radiance >= 0; exposure >= 0.
+/// Accuracy: that of one_minus_exp plus one roundoff.
+/// Errors:   none.
+/// Source:   a saturating response; the form of the CS562 renderer and of Leenman's shader.
+template <typename T>
+vec3<T> exposed(const vec3<T>& radiance, T exposure) {
+    return vec3<T>(one_minus_exp(exposure * radiance.x), one_minus_exp(exposure * radiance.y),
+                   one_minus_exp(exposure * radiance.z));
+}
+
+/// sRGB code value of one linear channel.
+///
+/// Units:    linear [1]; result [1].
+/// Domain:   linear in [0, 1]; values outside are clamped to it.
+/// Accuracy: that of pow.
+/// Errors:   none.
+/// Source:   IEC 61966-2-1, sRGB transfer function.
+template <typename T>
+T srgb_channel_from_linear(T linear) {
+    const T x = glm::clamp(linear, T(0), T(1));
+    return x <= T(0.0031308) ? T(12.92) * x : T(1.055) * glm::pow(x, T(1) / T(2.4)) - T(0.055);
+}
+
+/// Linear value of one sRGB channel, the inverse of srgb_channel_from_linear.
+///
+/// Units:    encoded [1]; result [1].
+/// Domain:   encoded in [0, 1]; values outside are clamped to it.
+/// Accuracy: that of pow.
+/// Errors:   none.
+/// Source:   IEC 61966-2-1, sRGB transfer function.
+template <typename T>
+T linear_channel_from_srgb(T encoded) {
+    const T x = glm::clamp(encoded, T(0), T(1));
+    return x <= T(0.04045) ? x / T(12.92) : glm::pow((x + T(0.055)) / T(1.055), T(2.4));
+}
+
+/// sRGB code values of a linear colour, for a display.
+///
+/// Units:    linear [1]; result [1].
+/// Domain:   channels in [0, 1]; values outside are clamped to it.
+/// Accuracy: that of pow.
+/// Errors:   none.
+/// Source:   IEC 61966-2-1, sRGB transfer function.
+template <typename T>
+vec3<T> srgb_from_linear(const vec3<T>& linear) {
+    return vec3<T>(srgb_channel_from_linear(linear.x), srgb_channel_from_linear(linear.y),
+                   srgb_channel_from_linear(linear.z));
+}
+
+/// Linear colour of sRGB code values.
+///
+/// Units:    encoded [1]; result [1].
+/// Domain:   channels in [0, 1]; values outside are clamped to it.
+/// Accuracy: that of pow.
+/// Errors:   none.
+/// Source:   IEC 61966-2-1, sRGB transfer function.
+template <typename T>
+vec3<T> linear_from_srgb(const vec3<T>& encoded) {
+    return vec3<T>(linear_channel_from_srgb(encoded.x), linear_channel_from_srgb(encoded.y),
+                   linear_channel_from_srgb(encoded.z));
+}
+
+}  // namespace airlight

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <airlight/constants.hpp>
+#include <airlight/optical_depth.hpp>
+
+namespace airlight {
+
+/// Share of light that passes along a ray, exp(-optical_depth).
+///
+/// Units:    altitude and distance [L]; mu [1]; result [1], in [0, 1].
+/// Shape:    the result is a spectrum.
+/// Domain:   that of optical_depth.
+/// Accuracy: relative error equal to the absolute error of optical_depth, plus exp's own.
+/// Errors:   none; ignores the ground.
+/// Source:   Beer's law.
+template <typename T, typename Scene = DefaultScene>
+vec3<T> transmittance(const Atmosphere<T>& atmosphere, T altitude, T mu, T distance) {
+    return glm::exp(-optical_depth<T, Scene>(atmosphere, altitude, mu, distance));
+}
+
+/// Whether the ground sphere hides a far source from a point.
+///
+/// Units:    ground_radius and altitude [L]; mu [1], cosine between the source and the vertical.
+/// Domain:   ground_radius > 0; altitude below the ground counts as 0; mu in [-1, 1].
+/// Accuracy: exact for inputs moved by at most 3 unit roundoffs.
+/// Errors:   a source exactly on the horizon is not hidden; NaN is not hidden.
+/// Source:   the gap of intersect_ray_sphere.
+template <typename T>
+bool behind_planet(T ground_radius, T altitude, T mu) {
+    const T above = glm::max(altitude, T(0));
+    const T sine = safe_sqrt((T(1) - mu) * (T(1) + mu));
+    return mu < T(0) && ground_radius * (mu * mu / (T(1) + sine)) > above * sine;
+}
+
+/// Share of light that reaches a point from a far source, 0 where the planet hides it.
+///
+/// Units:    altitude [L]; mu [1], cosine between the source and the vertical; result [1].
+/// Shape:    the result is a spectrum.
+/// Domain:   that of optical_depth.
+/// Accuracy: that of transmittance.
+/// Errors:   none; without Scene::planet_shadow the ground is ignored.
+/// Source:   Beer's law.
+template <typename T, typename Scene = DefaultScene>
+vec3<T> transmittance_to_space(const Atmosphere<T>& atmosphere, T altitude, T mu) {
+    if constexpr (Scene::planet_shadow) {
+        if (behind_planet(atmosphere.ground_radius, altitude, mu)) {
+            return vec3<T>(T(0), T(0), T(0));
+        }
+    }
+    return transmittance<T, Scene>(atmosphere, altitude, mu, no_surface<T>());
+}
+
+}  // namespace airlight

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <airlight/numeric.hpp>
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// Where an eye stands on or above the ground sphere.
+template <typename T>
+struct Viewpoint {
+    T altitude;  ///< [L] above the ground sphere, negative below it
+    vec3<T> up;  ///< unit vector away from the planet's centre
+};
+
+/// The viewpoint at a position measured from the planet's centre.
+///
+/// Good for eyes in space. Near the ground the position itself carries the error: a float
+/// that holds 6371 km steps by half a metre; prefer viewpoint_from_surface there.
+///
+/// Units:    ground_radius and position in one length unit [L].
+/// Domain:   ground_radius > 0; every position whose square is finite.
+/// Accuracy: altitude to 2 roundoffs of the distance from the centre; up to 3 roundoffs.
+/// Errors:   at the centre itself up is +z.
+/// Source:   none.
+template <typename T>
+Viewpoint<T> viewpoint_from_centre(T ground_radius, const vec3<T>& position) {
+    const T distance = glm::sqrt(glm::dot(position, position));
+    if (distance <= T(0)) {
+        return Viewpoint<T>{-ground_radius, vec3<T>(T(0), T(0), T(1))};
+    }
+    return Viewpoint<T>{distance - ground_radius, position / distance};
+}
+
+/// The viewpoint at a position measured from a point on the ground sphere.
+///
+///     |centre to eye|^2 - R^2 = |p|^2 + 2 R (p . up_at_origin) = w
+///     altitude = w / (R + sqrt(R^2 + w))
+///
+/// Keeps centimetres in float within hundreds of kilometres of the origin.
+///
+/// Units:    ground_radius and position in one length unit [L]; up_at_origin a unit vector.
+/// Domain:   ground_radius > 0; every position whose square is finite.
+/// Accuracy: altitude to 4 roundoffs of |p| + |p|^2 / 2R, plus the error of up_at_origin's length
+///           times the height; up to 4 roundoffs.
+/// Errors:   at the planet's centre up is up_at_origin.
+/// Source:   difference of squares, worked out in docs/notation.md.
+template <typename T>
+Viewpoint<T> viewpoint_from_surface(T ground_radius, const vec3<T>& position, const vec3<T>& up_at_origin) {
+    const T w = glm::dot(position, position) + T(2) * ground_radius * glm::dot(position, up_at_origin);
+    const T distance = safe_sqrt(ground_radius * ground_radius + w);
+    if (distance <= T(0)) {
+        return Viewpoint<T>{-ground_radius, up_at_origin};
+    }
+    const T altitude = w / (ground_radius + distance);
+    return Viewpoint<T>{altitude, (position + ground_radius * up_at_origin) / distance};
+}
+
+}  // namespace airlight
