@@ -39,7 +39,7 @@ struct AirRay {
 /// Domain:   ground_radius > 0; altitude >= -ground_radius; any distance whose square is finite.
 /// Accuracy: 3 roundoffs of (distance |2 along + distance| + altitude (2 R + altitude)) / 2R.
 /// Errors:   none; where rounding puts the point past the centre it counts as the centre.
-/// Source:   difference of squares, worked out in docs/notation.md.
+/// Source:   difference of squares, worked out in docs/theory/altitude.md.
 template <typename T>
 T altitude_along_ray(T ground_radius, T altitude, T along, T distance) {
     const T w = altitude * (T(2) * ground_radius + altitude) + distance * (T(2) * along + distance);
@@ -56,7 +56,7 @@ T altitude_along_ray(T ground_radius, T altitude, T along, T distance) {
 /// Accuracy: in float no wrong decision (in the air, reaches the ground) for eyes from 1 m to 1e8 m,
 ///           other than those that rounding the inputs could flip.
 /// Errors:   a tangent ray misses the air and misses the ground.
-/// Source:   docs/notation.md; roots without cancellation as in intersect_ray_sphere.
+/// Source:   docs/theory/altitude.md; roots without cancellation as in intersect_ray_sphere.
 template <typename T>
 AirRay<T> air_ray(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, const vec3<T>& direction,
                   T distance) {
@@ -106,7 +106,7 @@ AirRay<T> air_ray(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, cons
 /// Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none.
 /// Accuracy: that of air_ray.
 /// Errors:   an eye below the ground counts as standing on it; a tangent ray misses.
-/// Source:   docs/notation.md.
+/// Source:   docs/theory/altitude.md.
 template <typename T>
 ViewPath<T> view_path(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, const vec3<T>& direction,
                       T distance) {

@@ -43,7 +43,7 @@ Viewpoint<T> viewpoint_from_centre(T ground_radius, const vec3<T>& position) {
 /// Accuracy: altitude to 4 roundoffs of |p| + |p|^2 / 2R, plus the error of up_at_origin's length
 ///           times the height; up to 4 roundoffs.
 /// Errors:   at the planet's centre up is up_at_origin.
-/// Source:   difference of squares, worked out in docs/notation.md.
+/// Source:   difference of squares, worked out in docs/theory/altitude.md.
 template <typename T>
 Viewpoint<T> viewpoint_from_surface(T ground_radius, const vec3<T>& position, const vec3<T>& up_at_origin) {
     const T w = glm::dot(position, position) + T(2) * ground_radius * glm::dot(position, up_at_origin);
