@@ -60,7 +60,8 @@ Atmosphere<T> cs562_earth() {
     };
 }
 
-/// Earth as in the notes on precomputed scattering after Elek: clear air, no ozone.
+/// Earth as in the notes on precomputed scattering after Elek: clear air, no ozone. The Rayleigh
+/// triple is that of n = 1.0003 and N = 2.545e25 / m^3 at 650, 510 and 475 nm.
 ///
 /// The notes print both absorption = scattering / 0.9 and an extinction that contains it, an albedo
 /// of 0.474; we read extinction = scattering / 0.9, an albedo of 0.9, as the works they follow do.
@@ -117,31 +118,35 @@ Atmosphere<T> leenman_earth() {
     };
 }
 
-/// Mars on a clear day of a dusty season, at 680, 550 and 440 nm; dust is the aerosol.
+/// Mars with its usual dust, at 680, 550 and 440 nm; the dust is the aerosol.
+///
+/// The Rayleigh triple (19.9, 13.6, 5.75)e-6 that many programs carry is not used: it falls towards
+/// the blue, as no gas does, and is a hundred times too strong.
 ///
 /// Units:    metres.
 /// Domain:   none, it takes no argument.
 /// Accuracy: the printed numbers, rounded to T.
 /// Errors:   none.
-/// Source:   radius and scale height from NASA's Mars fact sheet; Rayleigh by rayleigh_coefficient
-///           with n - 1 = 3.37e-6, N = 2.05e23 / m^3, depolarisation 0.09 (CosmoScout VR's Mars);
-///           dust optical depth 0.9 and scale height 11.56 km from Lemmon et al. (2004). The dust's
-///           albedo 0.97, 0.93, 0.80, its g and the ground are chosen here for Mars's known colours.
+/// Source:   Rayleigh by rayleigh_coefficient and king_factor with n - 1 = 3.37e-6, N = 2.05e23 / m^3
+///           and depolarisation 0.09 as in CosmoScout VR's Mars; its scale height from NASA's Mars
+///           fact sheet; radius, dust (optical depth 0.44 at 550 nm, single-scattering albedo 0.933,
+///           0.845, 0.690, mean cosine 0.70 at 550 nm, scale height) from CalcMySky's mars.atmo, which
+///           follows Ockert-Bell et al. (1997).
 template <typename T>
 Atmosphere<T> mars() {
     return Atmosphere<T>{
-        T(3390e3),  // ground_radius
-        T(100e3),   // top_altitude, chosen: e^-9 of the air is above
+        T(3389.5e3),  // ground_radius
+        T(100e3),     // top_altitude, chosen: e^-9 of the air lies above
         vec3<T>(T(0.10006e-6), T(0.23379e-6), T(0.57078e-6)),  // rayleigh_scattering
         T(11.1e3),                                             // rayleigh_scale_height
-        vec3<T>(T(75.52e-6), T(72.40e-6), T(62.28e-6)),        // mie_scattering
-        vec3<T>(T(2.34e-6), T(5.45e-6), T(15.57e-6)),          // mie_absorption
-        T(11.56e3),                                            // mie_scale_height
-        T(0.65),                                               // mie_g, chosen
+        vec3<T>(T(40.0e-6), T(34.71e-6), T(27.11e-6)),         // mie_scattering
+        vec3<T>(T(2.86e-6), T(6.37e-6), T(12.18e-6)),          // mie_absorption
+        T(10.8e3),                                             // mie_scale_height
+        T(0.635),                                              // mie_g, a mean cosine of 0.70
         vec3<T>(T(0), T(0), T(0)),                             // ozone_absorption, none
         T(25e3),                                               // ozone_altitude, unused
         T(15e3),                                               // ozone_half_width, unused
-        vec3<T>(T(0.27), T(0.16), T(0.09))                     // ground_albedo, chosen
+        vec3<T>(T(0.36), T(0.18), T(0.08))                     // ground_albedo, bright regions
     };
 }
 
