@@ -69,8 +69,9 @@ need_packages() {
     say "installing: ${missing[*]}"
     local log
     log=$(mktemp)
-    if ! { "${as_root[@]}" apt-get update -q &&
-        "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive "${command[@]}"; } >"$log" 2>&1; then
+    # A source that cannot be reached makes update fail; whether the packages come all the same shows next.
+    "${as_root[@]}" apt-get update -q >"$log" 2>&1 || true
+    if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive "${command[@]}" >>"$log" 2>&1; then
         tail -n 15 "$log" >&2
         rm -f "$log"
         fail "apt-get failed (its last lines are above). Is the network reachable? By hand: ${command[*]}"

@@ -1,7 +1,7 @@
-# The program printed in the README is the program that these tests build, character for character.
+# The programs printed in the README are those that these tests build, character for character.
 include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
 file(READ "${SOURCE}/README.md" readme)
-foreach(file example/sky.cpp)
+foreach(file example/sky.cpp example/sky.frag)
     file(READ "${TEST_SOURCE}/${file}" text)
     string(FIND "${readme}" "\n${text}```" position)
     if(position EQUAL -1)
