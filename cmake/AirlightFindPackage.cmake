@@ -39,7 +39,7 @@ endfunction()
 function(airlight_missing_dependency name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "DEBIAN;FOR;OPTION" "")
     string(STRIP "${name}" name)
-    set(message "airlight: ${name} was not found; it is needed for ${arg_FOR}.\n"
+    set(message "airlight: ${name} was not found, and it is needed for ${arg_FOR}.\n"
                 "Install it (Debian: apt-get install ${arg_DEBIAN})"
     )
     if(arg_OPTION)

@@ -22,7 +22,7 @@ file(MAKE_DIRECTORY "${WORK}/glsl")
 foreach(variant whole parts hooked)
     file(WRITE "${WORK}/glsl/${variant}.frag" "${${variant}}")
     execute_process(
-        COMMAND "${GLSLANG}" "-I${PREFIX}/share/airlight/glsl" "${WORK}/glsl/${variant}.frag"
+        COMMAND "${GLSLANG}" -l "-I${PREFIX}/share/airlight/glsl" "${WORK}/glsl/${variant}.frag"
         RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output
     )
     if(NOT result EQUAL 0 OR output MATCHES "WARNING|ERROR")
