@@ -17,7 +17,7 @@ namespace airlight {
 /// Source:   ITU-R BT.709, item 3.2.
 template <typename T>
 T luminance(const vec3<T>& radiance) {
-    return T(0.2126) * radiance.x + T(0.7152) * radiance.y + T(0.0722) * radiance.z;
+    return T(0.2126L) * radiance.x + T(0.7152L) * radiance.y + T(0.0722L) * radiance.z;
 }
 
 /// Exposes a radiance as film does: linear for little light, at most 1 for much.
@@ -46,7 +46,7 @@ vec3<T> exposed(const vec3<T>& radiance, T exposure) {
 template <typename T>
 T srgb_channel_from_linear(T linear) {
     const T x = glm::clamp(linear, T(0), T(1));
-    return x <= T(0.0031308) ? T(12.92) * x : T(1.055) * glm::pow(x, T(1) / T(2.4)) - T(0.055);
+    return x <= T(0.0031308L) ? T(12.92L) * x : T(1.055L) * glm::pow(x, T(1) / T(2.4L)) - T(0.055L);
 }
 
 /// Linear value of one sRGB channel, the inverse of srgb_channel_from_linear.
@@ -59,7 +59,7 @@ T srgb_channel_from_linear(T linear) {
 template <typename T>
 T linear_channel_from_srgb(T encoded) {
     const T x = glm::clamp(encoded, T(0), T(1));
-    return x <= T(0.04045) ? x / T(12.92) : glm::pow((x + T(0.055)) / T(1.055), T(2.4));
+    return x <= T(0.04045L) ? x / T(12.92L) : glm::pow((x + T(0.055L)) / T(1.055L), T(2.4L));
 }
 
 /// sRGB code values of a linear colour, for a display.

@@ -41,4 +41,23 @@ T safe_sqrt(T x) {
     return glm::sqrt(glm::max(x, T(0)));
 }
 
+/// Cross product of two unit vectors, with all its digits where they are nearly parallel.
+///
+///     a x b = a x (b - a) = a x (b + a)
+///
+/// The textbook form subtracts products near 1 and is left with their rounding errors, 6 m in the
+/// closest approach of a ray from 1e8 m away. The sum or difference of the vectors is small there
+/// and loses nothing.
+///
+/// Units:    a and b unit vectors; result [1], its length is the sine between them.
+/// Domain:   unit vectors, to rounding.
+/// Accuracy: 4 roundoffs of the result's length.
+/// Errors:   none; parallel and opposite vectors give 0.
+/// Source:   bilinearity of the cross product.
+template <typename T>
+vec3<T> cross_of_unit_vectors(const vec3<T>& a, const vec3<T>& b) {
+    const T side = glm::dot(a, b) < T(0) ? T(1) : T(-1);
+    return glm::cross(a, b + side * a);
+}
+
 }  // namespace airlight

@@ -141,10 +141,10 @@ T draine_phase(T cos_theta, T g, T alpha) {
 template <typename T>
 T fog_phase(T cos_theta, T droplet_diameter_um) {
     const T d = glm::clamp(droplet_diameter_um, T(5), T(50));
-    const T g_hg = glm::exp(T(-0.0990567) / (d - T(1.67154)));
-    const T g_d = glm::exp(T(-2.20679) / (d + T(3.91029)) - T(0.428934));
-    const T alpha = glm::exp(T(3.62489) - T(8.29288) / (d + T(5.52825)));
-    const T share = glm::exp(T(-0.599085) / (d - T(0.641583)) - T(0.665888));
+    const T g_hg = glm::exp(T(-0.0990567L) / (d - T(1.67154L)));
+    const T g_d = glm::exp(T(-2.20679L) / (d + T(3.91029L)) - T(0.428934L));
+    const T alpha = glm::exp(T(3.62489L) - T(8.29288L) / (d + T(5.52825L)));
+    const T share = glm::exp(T(-0.599085L) / (d - T(0.641583L)) - T(0.665888L));
     const T lobe = (T(1) - share) * henyey_greenstein_phase(cos_theta, g_hg);
     return lobe + share * draine_phase(cos_theta, g_d, alpha);
 }
