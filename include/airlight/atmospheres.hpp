@@ -16,17 +16,17 @@ namespace airlight {
 template <typename T>
 Atmosphere<T> earth() {
     return Atmosphere<T>{
-        T(6360e3),                                       // ground_radius
-        T(100e3),                                        // top_altitude
+        T(6360e3),                                          // ground_radius
+        T(100e3),                                           // top_altitude
         vec3<T>(T(5.802e-6L), T(13.558e-6L), T(33.1e-6L)),  // rayleigh_scattering
-        T(8e3),                                          // rayleigh_scale_height
+        T(8e3),                                             // rayleigh_scale_height
         vec3<T>(T(3.996e-6L), T(3.996e-6L), T(3.996e-6L)),  // mie_scattering
         vec3<T>(T(0.444e-6L), T(0.444e-6L), T(0.444e-6L)),  // mie_absorption
-        T(1.2e3),                                        // mie_scale_height
-        T(0.8L),                                          // mie_g, a mean cosine of 0.844
+        T(1.2e3),                                           // mie_scale_height
+        T(0.8L),                                            // mie_g, a mean cosine of 0.844
         vec3<T>(T(0.65e-6L), T(1.881e-6L), T(0.085e-6L)),   // ozone_absorption
-        T(25e3),                                         // ozone_altitude
-        T(15e3),                                         // ozone_half_width
+        T(25e3),                                            // ozone_altitude
+        T(15e3),                                            // ozone_half_width
         vec3<T>(T(0.1L), T(0.1L), T(0.1L))                  // ground_albedo
     };
 }
@@ -44,19 +44,19 @@ Atmosphere<T> earth() {
 template <typename T>
 Atmosphere<T> cs562_earth() {
     return Atmosphere<T>{
-        T(6371e3),                                   // ground_radius, chosen
-        T(100e3),                                    // top_altitude, chosen
+        T(6371e3),                                      // ground_radius, chosen
+        T(100e3),                                       // top_altitude, chosen
         vec3<T>(T(5.8e-6L), T(13.5e-6L), T(33.1e-6L)),  // rayleigh_scattering
-        T(8e3),                                      // rayleigh_scale_height, chosen
+        T(8e3),                                         // rayleigh_scale_height, chosen
         vec3<T>(T(20e-6L), T(20e-6L), T(20e-6L)),       // mie_scattering
         vec3<T>(T(2.2222222222222222e-6L), T(2.2222222222222222e-6L),
                 T(2.2222222222222222e-6L)),  // mie_absorption
-        T(1.2e3),                           // mie_scale_height, chosen
+        T(1.2e3),                            // mie_scale_height, chosen
         T(0.76L),                            // mie_g, a mean cosine of 0.810
-        vec3<T>(T(0), T(0), T(0)),          // ozone_absorption, none
-        T(25e3),                            // ozone_altitude, unused
-        T(15e3),                            // ozone_half_width, unused
-        vec3<T>(T(0.1L), T(0.1L), T(0.1L))     // ground_albedo, chosen
+        vec3<T>(T(0), T(0), T(0)),           // ozone_absorption, none
+        T(25e3),                             // ozone_altitude, unused
+        T(15e3),                             // ozone_half_width, unused
+        vec3<T>(T(0.1L), T(0.1L), T(0.1L))   // ground_albedo, chosen
     };
 }
 
@@ -75,19 +75,19 @@ Atmosphere<T> cs562_earth() {
 template <typename T>
 Atmosphere<T> elek_earth() {
     return Atmosphere<T>{
-        T(6371e3),                                    // ground_radius, chosen
-        T(100e3),                                     // top_altitude, chosen
+        T(6371e3),                                       // ground_radius, chosen
+        T(100e3),                                        // top_altitude, chosen
         vec3<T>(T(6.55e-6L), T(17.3e-6L), T(23.0e-6L)),  // rayleigh_scattering
-        T(8e3),                                       // rayleigh_scale_height
+        T(8e3),                                          // rayleigh_scale_height
         vec3<T>(T(2e-6L), T(2e-6L), T(2e-6L)),           // mie_scattering
         vec3<T>(T(0.22222222222222222e-6L), T(0.22222222222222222e-6L),
                 T(0.22222222222222222e-6L)),  // mie_absorption
-        T(1.2e3),                            // mie_scale_height
+        T(1.2e3),                             // mie_scale_height
         T(0.76L),                             // mie_g, chosen
-        vec3<T>(T(0), T(0), T(0)),           // ozone_absorption, none
-        T(25e3),                             // ozone_altitude, unused
-        T(15e3),                             // ozone_half_width, unused
-        vec3<T>(T(0.1L), T(0.1L), T(0.1L))      // ground_albedo, chosen
+        vec3<T>(T(0), T(0), T(0)),            // ozone_absorption, none
+        T(25e3),                              // ozone_altitude, unused
+        T(15e3),                              // ozone_half_width, unused
+        vec3<T>(T(0.1L), T(0.1L), T(0.1L))    // ground_albedo, chosen
     };
 }
 
@@ -103,17 +103,17 @@ Atmosphere<T> elek_earth() {
 template <typename T>
 Atmosphere<T> leenman_earth() {
     return Atmosphere<T>{
-        T(6371e3),                                    // ground_radius
-        T(100e3),                                     // top_altitude
+        T(6371e3),                                       // ground_radius
+        T(100e3),                                        // top_altitude
         vec3<T>(T(5.5e-6L), T(13.0e-6L), T(22.4e-6L)),   // rayleigh_scattering
-        T(8e3),                                       // rayleigh_scale_height
+        T(8e3),                                          // rayleigh_scale_height
         vec3<T>(T(21e-6L), T(21e-6L), T(21e-6L)),        // mie_scattering
-        vec3<T>(T(0), T(0), T(0)),                    // mie_absorption
-        T(1.2e3),                                     // mie_scale_height
-        T(0.7L),                                       // mie_g
+        vec3<T>(T(0), T(0), T(0)),                       // mie_absorption
+        T(1.2e3),                                        // mie_scale_height
+        T(0.7L),                                         // mie_g
         vec3<T>(T(20.4e-6L), T(49.7e-6L), T(1.95e-6L)),  // ozone_absorption
-        T(30e3),                                      // ozone_altitude
-        T(4e3),                                       // ozone_half_width
+        T(30e3),                                         // ozone_altitude
+        T(4e3),                                          // ozone_half_width
         vec3<T>(T(0.1L), T(0.1L), T(0.1L))               // ground_albedo, chosen
     };
 }
@@ -138,14 +138,14 @@ Atmosphere<T> mars() {
         T(3389.5e3),  // ground_radius
         T(100e3),     // top_altitude, chosen: e^-9 of the air lies above
         vec3<T>(T(0.10006e-6L), T(0.23379e-6L), T(0.57078e-6L)),  // rayleigh_scattering
-        T(11.1e3),                                             // rayleigh_scale_height
+        T(11.1e3),                                                // rayleigh_scale_height
         vec3<T>(T(40.0e-6L), T(34.71e-6L), T(27.11e-6L)),         // mie_scattering
         vec3<T>(T(2.86e-6L), T(6.37e-6L), T(12.18e-6L)),          // mie_absorption
-        T(10.8e3),                                             // mie_scale_height
-        T(0.635L),                                              // mie_g, a mean cosine of 0.70
-        vec3<T>(T(0), T(0), T(0)),                             // ozone_absorption, none
-        T(25e3),                                               // ozone_altitude, unused
-        T(15e3),                                               // ozone_half_width, unused
+        T(10.8e3),                                                // mie_scale_height
+        T(0.635L),                                                // mie_g, a mean cosine of 0.70
+        vec3<T>(T(0), T(0), T(0)),                                // ozone_absorption, none
+        T(25e3),                                                  // ozone_altitude, unused
+        T(15e3),                                                  // ozone_half_width, unused
         vec3<T>(T(0.36L), T(0.18L), T(0.08L))                     // ground_albedo, bright regions
     };
 }
