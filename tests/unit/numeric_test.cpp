@@ -1,0 +1,81 @@
+#include <cmath>
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <airlight/numeric.hpp>
+
+#include "samplers.hpp"
+#include "story.hpp"
+#include "table.hpp"
+
+using namespace airlight_test;
+using airlight::one_minus_exp;
+using airlight::safe_sqrt;
+
+TEST_SUITE_BEGIN("numeric");
+
+TEST_CASE_TEMPLATE("one_minus_exp of ln 2 is one half", T, float, double, long double) {
+    const T ln2 = T(0.693147180559945309417232121458176568L);
+    // 3 ulp of the function plus the rounding of ln 2, which moves the result by less than 1.
+    CHECK_WITHIN(compare_ulp("one_minus_exp", {{"x", ln2}}, one_minus_exp(ln2), 0.5L), 4.0L);
+}
+
+TEST_CASE_TEMPLATE("nothing is lost over no depth, everything over an infinite one", T, float, double,
+                   long double) {
+    CHECK(one_minus_exp(T(0)) == T(0));                                // exact: the numerator is 2 x
+    CHECK(one_minus_exp(std::numeric_limits<T>::infinity()) == T(1));  // exact: exp(-infinity) is 0
+    CHECK(one_minus_exp(std::numeric_limits<T>::max()) == T(1));
+}
+
+TEST_CASE_TEMPLATE("one_minus_exp is x itself for a thin medium", T, float, double, long double) {
+    // 1 - exp(-x) = x - x^2 / 2 + ...: below x = half a roundoff the difference is under half an ulp.
+    for (T x = std::numeric_limits<T>::epsilon() / 4; x > std::numeric_limits<T>::min(); x /= T(1024)) {
+        CHECK_WITHIN(compare_ulp("one_minus_exp", {{"x", x}}, one_minus_exp(x), x),
+                     2.0L);  // division and sum round
+    }
+}
+
+TEST_CASE_TEMPLATE("more depth never loses less, across the change of method too", T, float, double,
+                   long double) {
+    Random random(11);
+    Worst worst;
+    for (int i = 0; i < 20000; ++i) {
+        const T x = T(random.uniform(0.0, 2.0));
+        const T y = x + T(random.uniform(0.0, 0.01));
+        const T fx = one_minus_exp(x);
+        const T fy = one_minus_exp(y);
+        REQUIRE(fx >= T(0));
+        REQUIRE(fy <= T(1));
+        // Each value may be off by 3 ulp (its docstring), so a step back of up to 6 is rounding.
+        const T back = fy < fx ? fy : fx;
+        worst.add(compare_ulp("one_minus_exp", {{"x", x}, {"y", y}}, back, fx));
+    }
+    CHECK_WORST(worst, 6.0L);
+}
+
+TEST_CASE_TEMPLATE("one_minus_exp agrees with 50 digits within 3 ulp", T, float, double, long double) {
+    Worst worst;
+    for (const Row& row : reference("numeric")) {
+        const T x = row.input<T>("x");
+        worst.add(compare_ulp("one_minus_exp", {{"x", x}}, one_minus_exp(x), row.expected("one_minus_exp")));
+    }
+    worst.print("against 50 digits");
+    CHECK_WORST(worst, 3.0L + table_rounding<T>());  // the docstring's bound
+}
+
+TEST_CASE_TEMPLATE("safe_sqrt is the square root, and 0 for what rounding pushed below", T, float, double,
+                   long double) {
+    CHECK(safe_sqrt(T(9)) == T(3));  // exact: square roots of squares are
+    CHECK(safe_sqrt(T(0)) == T(0));
+    CHECK(safe_sqrt(T(-1e-30L)) == T(0));
+    CHECK(safe_sqrt(-std::numeric_limits<T>::max()) == T(0));
+    Random random(12);
+    for (int i = 0; i < 1000; ++i) {
+        const T x = T(random.log_uniform(1e-30, 1e30));
+        CHECK_EQUAL(compare_ulp("safe_sqrt", {{"x", x}}, safe_sqrt(x), std::sqrt(x)));  // the same operation
+        // Exact: 1024^2 and 1024 are powers of two.
+        CHECK_EQUAL(compare_ulp("safe_sqrt", {{"x", x}}, safe_sqrt(T(1048576) * x), T(1024) * safe_sqrt(x)));
+    }
+}
+
+TEST_SUITE_END();
