@@ -49,14 +49,14 @@ Atmosphere<T> cs562_earth() {
         vec3<T>(T(5.8e-6L), T(13.5e-6L), T(33.1e-6L)),  // rayleigh_scattering
         T(8e3),                                         // rayleigh_scale_height, chosen
         vec3<T>(T(20e-6L), T(20e-6L), T(20e-6L)),       // mie_scattering
-        vec3<T>(T(2.2222222222222222e-6L), T(2.2222222222222222e-6L),
-                T(2.2222222222222222e-6L)),  // mie_absorption
-        T(1.2e3),                            // mie_scale_height, chosen
-        T(0.76L),                            // mie_g, a mean cosine of 0.810
-        vec3<T>(T(0), T(0), T(0)),           // ozone_absorption, none
-        T(25e3),                             // ozone_altitude, unused
-        T(15e3),                             // ozone_half_width, unused
-        vec3<T>(T(0.1L), T(0.1L), T(0.1L))   // ground_albedo, chosen
+        vec3<T>(T(2.2222222222222222222e-6L), T(2.2222222222222222222e-6L),
+                T(2.2222222222222222222e-6L)),  // mie_absorption
+        T(1.2e3),                               // mie_scale_height, chosen
+        T(0.76L),                               // mie_g, a mean cosine of 0.810
+        vec3<T>(T(0), T(0), T(0)),              // ozone_absorption, none
+        T(25e3),                                // ozone_altitude, unused
+        T(15e3),                                // ozone_half_width, unused
+        vec3<T>(T(0.1L), T(0.1L), T(0.1L))      // ground_albedo, chosen
     };
 }
 
@@ -80,14 +80,14 @@ Atmosphere<T> elek_earth() {
         vec3<T>(T(6.55e-6L), T(17.3e-6L), T(23.0e-6L)),  // rayleigh_scattering
         T(8e3),                                          // rayleigh_scale_height
         vec3<T>(T(2e-6L), T(2e-6L), T(2e-6L)),           // mie_scattering
-        vec3<T>(T(0.22222222222222222e-6L), T(0.22222222222222222e-6L),
-                T(0.22222222222222222e-6L)),  // mie_absorption
-        T(1.2e3),                             // mie_scale_height
-        T(0.76L),                             // mie_g, chosen
-        vec3<T>(T(0), T(0), T(0)),            // ozone_absorption, none
-        T(25e3),                              // ozone_altitude, unused
-        T(15e3),                              // ozone_half_width, unused
-        vec3<T>(T(0.1L), T(0.1L), T(0.1L))    // ground_albedo, chosen
+        vec3<T>(T(0.22222222222222222222e-6L), T(0.22222222222222222222e-6L),
+                T(0.22222222222222222222e-6L)),  // mie_absorption
+        T(1.2e3),                                // mie_scale_height
+        T(0.76L),                                // mie_g, chosen
+        vec3<T>(T(0), T(0), T(0)),               // ozone_absorption, none
+        T(25e3),                                 // ozone_altitude, unused
+        T(15e3),                                 // ozone_half_width, unused
+        vec3<T>(T(0.1L), T(0.1L), T(0.1L))       // ground_albedo, chosen
     };
 }
 
