@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.21)
 # Removes what the last `cmake --install` of this build folder wrote, and the folders that this empties.
 # Run by the target `uninstall`; MANIFEST is that build folder's install_manifest.txt.
 if(NOT EXISTS "${MANIFEST}")

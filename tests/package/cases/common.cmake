@@ -1,4 +1,5 @@
 # Included by every case; SOURCE, WORK, GENERATOR, MAKE_PROGRAM, CXX and VERSION come from the command line.
+cmake_minimum_required(VERSION 3.21)
 foreach(variable SOURCE WORK GENERATOR MAKE_PROGRAM CXX VERSION)
     if(NOT DEFINED ${variable})
         message(FATAL_ERROR "run by ctest, which defines ${variable}; see tests/package/CMakeLists.txt")
