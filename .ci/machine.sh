@@ -91,6 +91,13 @@ configure() {
     fi
 }
 
+# configure_release <build folder>: everything on, as ./test builds it.
+configure_release() {
+    configure "$1" --preset release -DAIRLIGHT_WERROR="${AIRLIGHT_WERROR:-OFF}" \
+        -DAIRLIGHT_BUILD_TESTS=ON -DAIRLIGHT_BUILD_TOOLS=ON -DAIRLIGHT_BUILD_EXAMPLES=ON \
+        ${CXX:+-DCMAKE_CXX_COMPILER="$CXX"}
+}
+
 # build <build folder> [targets]: with the compiler's messages only when it fails.
 build() {
     local build=$1 log=$1/build.log
