@@ -34,7 +34,7 @@ Viewpoint<T> viewpoint_from_centre(T ground_radius, const vec3<T>& position) {
 /// The viewpoint at a position measured from a point on the ground sphere.
 ///
 ///     |centre to eye|^2 - R^2 = |p|^2 + 2 R (p . up_at_origin) = w
-///     altitude = w / (R + sqrt(R^2 + w))
+///     altitude = w / (R + |centre to eye|)
 ///
 /// Keeps centimetres in float within hundreds of kilometres of the origin.
 ///
@@ -46,13 +46,15 @@ Viewpoint<T> viewpoint_from_centre(T ground_radius, const vec3<T>& position) {
 /// Source:   difference of squares, worked out in docs/theory/altitude.md.
 template <typename T>
 Viewpoint<T> viewpoint_from_surface(T ground_radius, const vec3<T>& position, const vec3<T>& up_at_origin) {
-    const T w = glm::dot(position, position) + T(2) * ground_radius * glm::dot(position, up_at_origin);
-    const T distance = safe_sqrt(ground_radius * ground_radius + w);
+    const vec3<T> from_centre = position + ground_radius * up_at_origin;
+    const T distance = glm::sqrt(glm::dot(from_centre, from_centre));
     if (distance <= T(0)) {
         return Viewpoint<T>{-ground_radius, up_at_origin};
     }
-    const T altitude = w / (ground_radius + distance);
-    return Viewpoint<T>{altitude, (position + ground_radius * up_at_origin) / distance};
+
+    // The difference distance - ground_radius would have lost the height's digits.
+    const T w = glm::dot(position, position) + T(2) * ground_radius * glm::dot(position, up_at_origin);
+    return Viewpoint<T>{w / (ground_radius + distance), from_centre / distance};
 }
 
 }  // namespace airlight

@@ -9,8 +9,10 @@
 #include "table.hpp"
 
 using namespace airlight_test;
+using airlight::cross_of_unit_vectors;
 using airlight::one_minus_exp;
 using airlight::safe_sqrt;
+using airlight::vec3;
 
 TEST_SUITE_BEGIN("numeric");
 
@@ -76,6 +78,57 @@ TEST_CASE_TEMPLATE("safe_sqrt is the square root, and 0 for what rounding pushed
         // Exact: 1024^2 and 1024 are powers of two.
         CHECK_EQUAL(compare_ulp("safe_sqrt", {{"x", x}}, safe_sqrt(T(1048576) * x), T(1024) * safe_sqrt(x)));
     }
+}
+
+TEST_CASE_TEMPLATE("x cross y is z; parallel and opposite vectors have none", T, float, double, long double) {
+    const vec3<T> x = vec3<T>(T(1), T(0), T(0));
+    const vec3<T> y = vec3<T>(T(0), T(1), T(0));
+    CHECK(cross_of_unit_vectors(x, y) == vec3<T>(T(0), T(0), T(1)));  // exact: zeros and ones
+    CHECK(cross_of_unit_vectors(y, x) == vec3<T>(T(0), T(0), T(-1)));
+    Random random(13);
+    for (int i = 0; i < 1000; ++i) {
+        const vec3<T> a = random.direction<T>();
+        CHECK(cross_of_unit_vectors(a, a) == vec3<T>(T(0)));  // exact: a - a is 0
+        CHECK(cross_of_unit_vectors(a, -a) == vec3<T>(T(0)));
+        const vec3<T> b = random.direction<T>();
+        const vec3<T> across = cross_of_unit_vectors(a, b);
+        // At right angles to both: each of the three products may be off by the docstring's 4 roundoffs of
+        // the length and the dot product rounds three times more; the square is free of the root's rounding.
+        const long double length = std::sqrt(static_cast<long double>(glm::dot(across, across)));
+        CHECK(std::fabs(static_cast<long double>(glm::dot(across, a))) <= 8 * unit_roundoff<T>() * length);
+        CHECK(std::fabs(static_cast<long double>(glm::dot(across, b))) <= 8 * unit_roundoff<T>() * length);
+        // sin^2 + cos^2 = 1, for vectors whose own length is off by up to 3 roundoffs.
+        const T cosine = glm::dot(a, b);
+        CHECK_WITHIN(
+            compare_ulp("sin^2 + cos^2", {}, glm::dot(across, across) + cosine * cosine, 1.0L),
+            sizeof(T) == sizeof(long double) ? 1e5L : 16.0L);  // the sampler's directions are doubles
+    }
+}
+
+TEST_CASE_TEMPLATE("cross_of_unit_vectors agrees with 50 digits, nearly parallel vectors included", T, float,
+                   double, long double) {
+    Worst worst;
+    Worst textbook;
+    for (const Row& row : reference("cross")) {
+        const vec3<T> a = vec3<T>(row.input<T>("ax"), row.input<T>("ay"), row.input<T>("az"));
+        const vec3<T> b = vec3<T>(row.input<T>("bx"), row.input<T>("by"), row.input<T>("bz"));
+        const long double expected[] = {row.expected("x"), row.expected("y"), row.expected("z")};
+        const long double length =
+            std::sqrt(expected[0] * expected[0] + expected[1] * expected[1] + expected[2] * expected[2]);
+        const vec3<T> got = cross_of_unit_vectors(a, b);
+        const vec3<T> plain = glm::cross(a, b);
+        for (int i = 0; i < 3; ++i) {
+            worst.add(compare_roundoffs(
+                "cross_of_unit_vectors",
+                {{"ax", a.x}, {"ay", a.y}, {"az", a.z}, {"bx", b.x}, {"by", b.y}, {"bz", b.z}}, got[i],
+                expected[i], length));
+            textbook.add(
+                compare_roundoffs("glm::cross", {{"ax", a.x}, {"bx", b.x}}, plain[i], expected[i], length));
+        }
+    }
+    worst.print("against 50 digits");
+    textbook.print("against 50 digits, for comparison");
+    CHECK_WORST(worst, 4.0L);  // the docstring's bound, in roundoffs of the result's length
 }
 
 TEST_SUITE_END();
