@@ -54,7 +54,7 @@ Scattered<T> single_scattering_marched(const Atmosphere<T>& atmosphere, const Vi
     if (!ray.in_air) {
         return Scattered<T>{vec3<T>(T(0), T(0), T(0)), vec3<T>(T(1), T(1), T(1))};
     }
-    const T step_length = ray.length / glm::max(T(steps), T(1));
+    const T step_length = ray.extent / glm::max(T(steps), T(1));
 
     // The sun's height over the ray: the closest approach to the centre, and the way from there.
     // The closest approach comes from cross products, which keep digits for far eyes.

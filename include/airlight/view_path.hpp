@@ -23,7 +23,7 @@ struct AirRay {
     bool in_air;          ///< false when no part of the ray is inside the air
     bool reaches_ground;  ///< true when the ground sphere stops the ray
     T begin;              ///< [L] from the eye to the start of the stretch
-    T length;             ///< [L] of the stretch
+    T extent;             ///< [L] length of the stretch
     T altitude;           ///< [L] of its start, in [0, top_altitude]
     T along;              ///< [L] its start's position along the ray, from the closest approach to the centre
 };
@@ -114,7 +114,7 @@ ViewPath<T> view_path(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, 
     if (!ray.in_air) {
         return ViewPath<T>{false, T(0), T(0), ray.reaches_ground};
     }
-    return ViewPath<T>{true, ray.begin, ray.begin + ray.length, ray.reaches_ground};
+    return ViewPath<T>{true, ray.begin, ray.begin + ray.extent, ray.reaches_ground};
 }
 
 }  // namespace airlight
