@@ -1,0 +1,49 @@
+#include "cpu_frame.hpp"
+
+#include <cstddef>
+
+#include "shading.hpp"
+#include "support/parallel.hpp"
+
+namespace deferred {
+namespace {
+
+template <typename Scene>
+std::vector<float> light(const World& world, const Frame& frame, const GBuffer& surfaces) {
+    std::vector<float> radiance(3 * std::size_t(frame.width) * std::size_t(frame.height));
+    support::for_each_row(frame.height, [&](int y) {
+        for (int x = 0; x < frame.width; ++x) {
+            const std::size_t i = std::size_t(y) * std::size_t(frame.width) + std::size_t(x);
+            const float* const albedo = &surfaces.albedo[4 * i];
+            const float* const normal = &surfaces.normal[4 * i];
+            const Surface surface{surfaces.depth[i], vec3(albedo[0], albedo[1], albedo[2]), albedo[3],
+                                  vec3(normal[0], normal[1], normal[2])};
+            const vec3 pixel = pixel_radiance<Scene>(world.atmosphere, frame, surface, x, y);
+            radiance[3 * i] = pixel.x;
+            radiance[3 * i + 1] = pixel.y;
+            radiance[3 * i + 2] = pixel.z;
+        }
+    });
+    return radiance;
+}
+
+}  // namespace
+
+std::vector<float> light_on_cpu(const World& world, const Frame& frame, const GBuffer& surfaces) {
+    return world.lorentzian_ozone ? light<LorentzianScene>(world, frame, surfaces)
+                                  : light<airlight::DefaultScene>(world, frame, surfaces);
+}
+
+std::vector<bool> disc_pixels(const Frame& frame, const GBuffer& surfaces) {
+    std::vector<bool> disc;
+    disc.reserve(surfaces.depth.size());
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x) {
+            const bool surface = surfaces.depth[disc.size()] > 0;
+            disc.push_back(!surface && sun_disc(frame, unit(pixel_ray(frame, x, y))) > 0);
+        }
+    }
+    return disc;
+}
+
+}  // namespace deferred

@@ -1,0 +1,196 @@
+#include "options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include "support/error.hpp"
+
+#ifndef DEFERRED_HEIGHT_MAP
+#error "DEFERRED_HEIGHT_MAP is not defined"
+#endif
+
+namespace deferred {
+namespace {
+
+// Larger pictures are no use here: the CPU's pass alone would take an hour.
+constexpr int largest_size = 8192;
+// North is not defined further from the landscape than a quarter of the planet.
+constexpr double largest_offset_km = 3000;
+
+[[noreturn]] void fail(const std::string& what) {
+    throw support::Error(what + "; see --help");
+}
+
+template <typename Item>
+std::string names(const std::vector<Item>& items) {
+    std::string text;
+    for (const Item& item : items) {
+        text += (text.empty() ? "" : ", ") + item.name;
+    }
+    return text;
+}
+
+template <typename Item>
+const Item& by_name(const std::vector<Item>& items, const std::string& name, const std::string& kind) {
+    for (const Item& item : items) {
+        if (item.name == name) {
+            return item;
+        }
+    }
+    fail("no " + kind + " is called '" + name + "'; choose from " + names(items));
+}
+
+void require_range(const std::string& option, double value, double least, double most) {
+    if (!(value >= least && value <= most)) {
+        char text[160];
+        std::snprintf(text, sizeof text, "%s %g is out of range; give %g to %g", option.c_str(), value, least,
+                      most);
+        fail(text);
+    }
+}
+
+void parse_size(const std::string& text, int& width, int& height) {
+    char rest = 0;
+    long w = 0;
+    long h = 0;
+    if (text.size() > 20 || std::sscanf(text.c_str(), "%ldx%ld%c", &w, &h, &rest) != 2) {
+        fail("--size '" + text + "' is not understood; write it like 640x360");
+    }
+    if (w < 1 || h < 1 || w > largest_size || h > largest_size) {
+        fail("--size " + text + " is out of range; give 1 to " + std::to_string(largest_size) +
+             " pixels each way");
+    }
+    width = int(w);
+    height = int(h);
+}
+
+}  // namespace
+
+std::optional<Options> parse_options(int count, char** arguments) {
+    CLI::App app(
+        "Renders a real landscape on a planet in its air, by OpenGL without a window, and computes the same\n"
+        "light on the CPU to compare. Writes an OpenEXR file and a PNG for each camera and sun elevation.");
+    app.set_help_flag("--help", "Print this and stop");
+
+    std::vector<std::string> camera_names;
+    std::vector<double> sun_elevations = {20};
+    std::vector<double> steps_of_map = {74, 93};
+    std::string size = "640x360";
+    std::string preset = "earth";
+    std::string exposure = "auto";
+    std::string difference = "on";
+    std::optional<double> east;
+    std::optional<double> north;
+    std::optional<double> altitude;
+    std::optional<double> height;
+    std::optional<double> heading;
+    std::optional<double> pitch;
+    std::optional<double> fov;
+    Options options{};
+    options.sun_azimuth = 250;
+    options.steps = 40;
+    options.sky_steps = 12;
+    options.height_map = DEFERRED_HEIGHT_MAP;
+    options.output = ".";
+
+    app.add_option("--camera", camera_names,
+                   "One or several of " + names(named_cameras()) + "; ground if none is given");
+    app.add_option("--east", east, "Camera east of the landscape's centre [km]");
+    app.add_option("--north", north, "Camera north of the landscape's centre [km]");
+    app.add_option("--altitude", altitude, "Camera above the ground sphere [m]");
+    app.add_option("--height", height, "Camera above the landscape [m], instead of --altitude");
+    app.add_option("--heading", heading, "View direction clockwise from north [degrees]");
+    app.add_option("--pitch", pitch, "View direction up from the horizontal [degrees]");
+    app.add_option("--fov", fov, "Angle of view from the lower to the upper edge [degrees]");
+    app.add_option("--sun-elevation", sun_elevations,
+                   "Sun above the horizontal under the camera [degrees], one or several; 20 if not given");
+    app.add_option("--sun-azimuth", options.sun_azimuth,
+                   "Sun clockwise from north [degrees]; 250 if not given");
+    app.add_option("--steps", options.steps, "Samples of the air along a view ray; 40 if not given");
+    app.add_option("--sky-steps", options.sky_steps,
+                   "Samples of the sky above a surface, for its skylight; 12 if not given");
+    app.add_option("--size", size, "Picture size, WxH; 640x360 if not given");
+    app.add_option("--preset", preset, "Atmosphere, one of " + names(worlds()) + "; earth if not given");
+    app.add_option("--heightmap", options.height_map,
+                   "Grey PNG (16 bits, a metre a level) or OpenEXR file (metres), north up");
+    app.add_option("--heightmap-step", steps_of_map, "Its grid step east and north [m]; 74 93 if not given")
+        ->expected(2);
+    app.add_option("--output", options.output, "Folder of the pictures, made if missing; here if not given");
+    app.add_option(
+        "--exposure", exposure,
+        "Factor before 1 - exp(-x), or auto, which follows each picture's mean; auto if not given");
+    app.add_option("--difference", difference,
+                   "on: compute the light on the CPU too and compare; off: do not; on if not given");
+    app.add_option("--tolerance", options.tolerance,
+                   "Fail when the largest relative difference is above this");
+    try {
+        app.parse(count, arguments);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        fail(error.what());
+    }
+
+    parse_size(size, options.width, options.height);
+    options.world = by_name(worlds(), preset, "preset");
+    if (camera_names.empty()) {
+        camera_names = {"ground"};
+    }
+    if (altitude && height) {
+        fail("--altitude and --height both say how high the camera is; give one");
+    }
+    for (const std::string& name : camera_names) {
+        Camera camera = by_name(named_cameras(), name, "camera");
+        camera.east = east ? *east * 1e3 : camera.east;
+        camera.north = north ? *north * 1e3 : camera.north;
+        camera.heading = heading.value_or(camera.heading);
+        camera.pitch = pitch.value_or(camera.pitch);
+        camera.field_of_view = fov.value_or(camera.field_of_view);
+        if (altitude || height) {
+            camera.above_landscape = height.has_value();
+            camera.altitude = height.value_or(altitude.value_or(0));
+        }
+        require_range("--east", camera.east / 1e3, -largest_offset_km, largest_offset_km);
+        require_range("--north", camera.north / 1e3, -largest_offset_km, largest_offset_km);
+        require_range(height ? "--height" : "--altitude", camera.altitude, -1e5, 1e9);
+        require_range("--heading", camera.heading, -360, 360);
+        require_range("--pitch", camera.pitch, -90, 90);
+        require_range("--fov", camera.field_of_view, 0.1, 150);
+        options.cameras.push_back(camera);
+    }
+    for (const double elevation : sun_elevations) {
+        require_range("--sun-elevation", elevation, -90, 90);
+    }
+    options.sun_elevations = sun_elevations;
+    require_range("--sun-azimuth", options.sun_azimuth, -360, 360);
+    require_range("--steps", options.steps, 1, 10000);
+    require_range("--sky-steps", options.sky_steps, 1, 10000);
+    options.step_east = steps_of_map[0];
+    options.step_north = steps_of_map[1];
+    require_range("--heightmap-step", options.step_east, 10, 1000);
+    require_range("--heightmap-step", options.step_north, 10, 1000);
+    if (exposure != "auto") {
+        char* end = nullptr;
+        options.exposure = std::strtod(exposure.c_str(), &end);
+        if (exposure.empty() || *end != 0) {
+            fail("--exposure '" + exposure + "' is neither auto nor a number");
+        }
+        require_range("--exposure", *options.exposure, 1e-6, 1e12);
+    }
+    if (difference != "on" && difference != "off") {
+        fail("--difference '" + difference + "' is neither on nor off");
+    }
+    options.difference = difference == "on";
+    if (options.tolerance) {
+        require_range("--tolerance", *options.tolerance, 0, 1e6);
+        if (!options.difference) {
+            fail("--tolerance needs --difference on");
+        }
+    }
+    return options;
+}
+
+}  // namespace deferred

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "view.hpp"
+#include "world.hpp"
+
+namespace deferred {
+
+/// What the command line asks for.
+struct Options {
+    std::vector<Camera> cameras;
+    std::vector<double> sun_elevations;  ///< [degrees]
+    double sun_azimuth;                  ///< [degrees]
+    int width;
+    int height;
+    int steps;
+    int sky_steps;
+    World world;
+    std::string height_map;
+    double step_east;   ///< [m]
+    double step_north;  ///< [m]
+    std::string output;
+    std::optional<double> exposure;
+    bool difference;
+    std::optional<double> tolerance;  ///< of the largest relative difference
+};
+
+/// The options, or nothing when --help was asked for and is printed. Throws support::Error.
+std::optional<Options> parse_options(int count, char** arguments);
+
+}  // namespace deferred

@@ -1,0 +1,73 @@
+// What the ground is made of, for the landscape and the planet around it alike: a function of the place, so
+// that the two meet without a seam.
+struct Ground {
+    vec3 albedo;
+    float roughness;
+};
+
+uint scrambled(uint x) {
+    x = (x ^ (x >> 16u)) * 0x7feb352du;
+    x = (x ^ (x >> 15u)) * 0x846ca68bu;
+    return x ^ (x >> 16u);
+}
+
+float random_at(ivec3 cell) {
+    uint h = scrambled(uint(cell.x) + scrambled(uint(cell.y) + scrambled(uint(cell.z))));
+    return float(h >> 8u) / 16777216.0;
+}
+
+// Smooth noise in [-1, 1] with features of size 1.
+float noise(vec3 p) {
+    ivec3 cell = ivec3(floor(p));
+    vec3 f = p - floor(p);
+    f = f * f * (3.0 - 2.0 * f);
+    float value = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+        vec3 share = mix(1.0 - f, f, vec3(corner));
+        value += share.x * share.y * share.z * random_at(cell + corner);
+    }
+    return 2.0 * value - 1.0;
+}
+
+// Octaves of noise from features of `size` on; those too small for a pixel of `footprint` fade out.
+float octaves(vec3 p, float size, int count, float footprint) {
+    float sum = 0.0;
+    float amplitude = 0.5;
+    for (int i = 0; i < count; ++i) {
+        float share = clamp(0.5 * size / footprint - 1.0, 0.0, 1.0);
+        if (share > 0.0) {
+            sum += share * amplitude * noise(p / size + float(17 * i));
+        }
+        amplitude *= 0.6;
+        size *= 0.5;
+    }
+    return sum;
+}
+
+// `position` is measured from the landscape's centre [m], `up` is the vertical there, `flatness` the cosine
+// between the ground's normal and the vertical, `footprint` the size of a pixel on the ground [m].
+Ground ground_at(vec3 position, vec3 up, float height, float flatness, float footprint, float ground_radius,
+                 vec3 bare_albedo, bool vegetated) {
+    // Continents are features of the whole globe; the landscape always lies on land.
+    float inland = 1.0 - length(position) / 150e3;
+    float land = octaves(up * ground_radius, 2500e3, 10, footprint) + 0.4 * max(inland, 0.0) + 0.05;
+    float fine = octaves(position, 700.0, 10, footprint);
+    float coarse = octaves(position + 3e4, 60e3, 6, footprint);
+
+    if (!vegetated) {
+        return Ground(bare_albedo * clamp(1.0 + 0.2 * land + 0.4 * fine + 0.5 * coarse, 0.3, 1.7), 1.0);
+    }
+    vec3 forest = vec3(0.030, 0.043, 0.020);
+    vec3 meadow = vec3(0.078, 0.078, 0.040);
+    vec3 soil = vec3(0.19, 0.155, 0.115);
+    vec3 water = vec3(0.012, 0.028, 0.045);
+    float open = smoothstep(-0.4, 0.5, 0.9 * fine + coarse + 0.2 - height / 1500.0);
+    float bare = smoothstep(0.08, 0.25, 1.0 - flatness + 0.05 * fine) + 0.4 * smoothstep(0.2, 1.2, fine + coarse);
+    vec3 albedo = mix(mix(forest, meadow, open), soil, clamp(bare, 0.0, 1.0));
+    albedo *= clamp(1.0 + 0.5 * fine, 0.5, 1.5);
+
+    // Shore: the transition is as wide as a pixel at least, so it never flickers.
+    float dry = smoothstep(-0.01, 0.01, land);
+    return Ground(mix(water, albedo, dry), mix(0.33, 1.0, dry));
+}

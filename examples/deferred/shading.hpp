@@ -1,0 +1,119 @@
+#pragma once
+
+#include <airlight/airlight.hpp>
+
+#include "frame.hpp"
+
+// What a pixel shows, from what the G-buffer holds. shaders/shading.glsl says the same in GLSL, function by
+// function; only the air differs: here the library's headers, there the GLSL generated from them.
+
+namespace deferred {
+
+/// A pixel of the G-buffer.
+struct Surface {
+    float depth;  ///< near_distance / distance along the view axis; 0 where there is no surface
+    vec3 albedo;
+    float roughness;  ///< 1 mirrors nothing, 1/3 and less mirrors as water does, ever sharper
+    vec3 normal;
+};
+
+/// The inner product, added up in this order. GLSL's dot may add in any order (Mesa starts with z), and the
+/// sharp edge of the sun's disc would show the last digit of a direction.
+inline float inner(const vec3& a, const vec3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+inline vec3 unit(const vec3& v) {
+    return v / glm::sqrt(inner(v, v));
+}
+
+inline vec3 pixel_ray(const Frame& frame, int x, int y) {
+    return frame.ray_corner + (float(x) + 0.5f) * frame.ray_across + (float(y) + 0.5f) * frame.ray_up;
+}
+
+/// Share of light that a water surface mirrors (Schlick 1994), cosine between the light and the normal.
+inline float mirrored_share(float cosine) {
+    const float m = 1 - glm::clamp(cosine, 0.0f, 1.0f);
+    return 0.02f + 0.98f * ((m * m) * (m * m) * m);
+}
+
+/// Sunlight mirrored by small facets: distribution of Trowbridge and Reitz, masking after Hammon (2017).
+/// Radiance per irradiance of the surface [1/sr].
+inline float sun_glint(const Surface& surface, const vec3& normal, const vec3& to_eye, const vec3& to_sun) {
+    const float a = surface.roughness * surface.roughness;
+    const vec3 half_way = unit(to_eye + to_sun);
+    const float cosine = inner(normal, half_way);
+    // Written with the sine: 1 - cosine^2 has no digits left where the glint is brightest.
+    const vec3 across = glm::cross(normal, half_way);
+    const float spread = a * a * cosine * cosine + inner(across, across);
+    const float distribution = a * a / (airlight::pi<float> * spread * spread);
+    const float n_eye = glm::max(inner(normal, to_eye), 1e-3f);
+    const float n_sun = glm::max(inner(normal, to_sun), 1e-3f);
+    const float masking = 0.5f / (2 * n_eye * n_sun * (1 - a) + (n_eye + n_sun) * a);
+    return distribution * masking * mirrored_share(inner(to_sun, half_way));
+}
+
+/// Light that leaves the surface for the eye, by unit solar irradiance above the air [1/sr].
+template <typename Scene>
+vec3 surface_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame& frame,
+                      const Surface& surface, const vec3& position, const vec3& direction) {
+    const vec3 origin_up(0, 0, 1);
+    const airlight::Viewpoint<float> here =
+        airlight::viewpoint_from_surface(atmosphere.ground_radius, position, origin_up);
+    const vec3 normal = unit(surface.normal);
+    const float mu_s = glm::clamp(inner(here.up, frame.to_sun), -1.0f, 1.0f);
+    const vec3 sunlight = airlight::transmittance_to_space<float, Scene>(atmosphere, here.altitude, mu_s) *
+                          glm::max(inner(normal, frame.to_sun), 0.0f);
+
+    // The whole sky stands in for one look along the normal.
+    const vec3 sky =
+        airlight::single_scattering_marched<float, Scene>(atmosphere, here, normal, frame.to_sun,
+                                                          airlight::no_surface<float>(), frame.sky_steps)
+            .radiance;
+    vec3 radiance = surface.albedo * (sunlight / airlight::pi<float> + sky);
+    if (surface.roughness < 1) {
+        const float polish = glm::min(1.5f * (1 - surface.roughness), 1.0f);
+        radiance += polish * (sunlight * sun_glint(surface, normal, -direction, frame.to_sun) +
+                              sky * mirrored_share(inner(normal, -direction)));
+    }
+    return radiance;
+}
+
+/// The sun itself: an even disc, its edge spread over a pixel [1/sr].
+inline float sun_disc(const Frame& frame, const vec3& direction) {
+    if (inner(direction, frame.to_sun) <= 0) {
+        return 0;
+    }
+    // The sine of the angle, which for small angles has all the digits that the cosine lacks.
+    const vec3 across = glm::cross(direction, frame.to_sun);
+    const float share =
+        (frame.disc_outside - glm::sqrt(inner(across, across))) / (frame.disc_outside - frame.disc_inside);
+    return glm::clamp(share, 0.0f, 1.0f) / frame.disc_solid_angle;
+}
+
+/// What the pixel shows, through the air, in units of solar_irradiance per sr.
+template <typename Scene>
+vec3 pixel_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame& frame, const Surface& surface,
+                    int x, int y) {
+    const vec3 ray = pixel_ray(frame, x, y);
+    const float ray_length = glm::sqrt(inner(ray, ray));
+    const vec3 direction = ray / ray_length;
+    const vec3 origin_up(0, 0, 1);
+    const airlight::Viewpoint<float> eye =
+        airlight::viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
+
+    float distance = airlight::no_surface<float>();
+    vec3 behind(0);
+    if (surface.depth > 0) {
+        distance = frame.near_distance / surface.depth * ray_length;
+        const vec3 position = frame.eye_position + direction * distance;
+        behind = surface_radiance<Scene>(atmosphere, frame, surface, position, direction);
+    } else {
+        behind = vec3(sun_disc(frame, direction));
+    }
+    const airlight::Scattered<float> scattered = airlight::single_scattering_marched<float, Scene>(
+        atmosphere, eye, direction, frame.to_sun, distance, frame.steps);
+    return airlight::compose(behind * frame.solar_irradiance, scattered, frame.solar_irradiance);
+}
+
+}  // namespace deferred

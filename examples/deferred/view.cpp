@@ -1,0 +1,70 @@
+#include "view.hpp"
+
+#include <cmath>
+
+#include <airlight/constants.hpp>
+
+#include "support/error.hpp"
+
+namespace deferred {
+namespace {
+
+constexpr double degree = airlight::pi<double> / 180;
+constexpr double near_distance = 0.1;           // [m] a person's nose is further away
+constexpr double sun_radius = 0.2666 * degree;  // mean, 695 700 km at 149.6 million km
+
+}  // namespace
+
+const std::vector<Camera>& named_cameras() {
+    // Ground: a walker's eyes on a summit. Valley: a drone over the valley of the fault. 10km: an airliner
+    // east of the ridges. Orbit: a space station, the landscape below and the limb ahead.
+    static const std::vector<Camera> cameras = {
+        {"ground", -3034, -10928, 2, true, 265, 1, 35},
+        {"valley", 1492, 1071, 40, true, 250, 6, 40},
+        {"10km", 14e3, 9e3, 10e3, false, 240, -14, 50},
+        {"orbit", 560e3, 230e3, 400e3, false, 250, -22, 50},
+    };
+    return cameras;
+}
+
+View make_view(const Camera& camera, const Picturing& picturing, double ground_radius,
+               const Terrain& terrain) {
+    const double ground = terrain.height(camera.east, camera.north);
+    const double altitude = camera.altitude + (camera.above_landscape ? ground : 0);
+    if (altitude - ground < 2 * near_distance) {
+        throw support::Error("camera " + camera.name + " at " + std::to_string(altitude) +
+                             " m is below the ground at " + std::to_string(ground) +
+                             " m; give a larger --altitude or --height");
+    }
+    const Place place = place_on_sphere(ground_radius, camera.east, camera.north, altitude);
+    const auto compass = [&](double heading, double elevation) {
+        const glm::dvec3 level =
+            std::sin(heading * degree) * place.east + std::cos(heading * degree) * place.north;
+        return std::cos(elevation * degree) * level + std::sin(elevation * degree) * place.up;
+    };
+    const glm::dvec3 forward = compass(camera.heading, camera.pitch);
+    const glm::dvec3 up = compass(camera.heading, camera.pitch + 90);
+    const glm::dvec3 right = glm::cross(forward, up);
+    const double half_height = std::tan(camera.field_of_view / 2 * degree);
+    const double pixel = 2 * half_height / picturing.height;
+
+    Frame frame{};
+    frame.width = picturing.width;
+    frame.height = picturing.height;
+    frame.ray_across = vec3(pixel * right);
+    frame.ray_up = vec3(pixel * up);
+    frame.ray_corner = vec3(forward - half_height * up - 0.5 * picturing.width * pixel * right);
+    frame.near_distance = float(near_distance);
+    frame.eye_position = vec3(place.position);
+    frame.to_sun = vec3(compass(picturing.sun_azimuth, picturing.sun_elevation));
+    frame.solar_irradiance = vec3(1);
+    const double half_edge = std::min(pixel / 2, sun_radius);
+    frame.disc_inside = float(std::sin(sun_radius - half_edge));
+    frame.disc_outside = float(std::sin(sun_radius + half_edge));
+    frame.disc_solid_angle = float(airlight::pi<double> * sun_radius * sun_radius);
+    frame.steps = picturing.steps;
+    frame.sky_steps = picturing.sky_steps;
+    return View{place.position, altitude, frame};
+}
+
+}  // namespace deferred

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <airlight/airlight.hpp>
+
+namespace deferred {
+
+/// A planet that a picture can be made of.
+struct World {
+    std::string name;
+    airlight::Atmosphere<float> atmosphere;
+    bool lorentzian_ozone;  ///< compile with ozone_lorentzian instead of ozone_tent
+    bool vegetated;         ///< forests and seas, or bare ground of the atmosphere's ground_albedo
+};
+
+/// The scene flags of worlds with lorentzian_ozone; the others use airlight::DefaultScene.
+struct LorentzianScene : airlight::DefaultScene {
+    static constexpr int ozone = airlight::ozone_lorentzian;
+};
+
+inline const std::vector<World>& worlds() {
+    static const std::vector<World> all = {
+        {"earth", airlight::earth<float>(), false, true},
+        {"cs562", airlight::cs562_earth<float>(), false, true},
+        {"elek", airlight::elek_earth<float>(), false, true},
+        {"leenman", airlight::leenman_earth<float>(), true, true},
+        {"mars", airlight::mars<float>(), false, false},
+    };
+    return all;
+}
+
+}  // namespace deferred
