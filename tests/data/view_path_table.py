@@ -25,7 +25,9 @@ def path(R, top, h, dx, dz, distance):
         if discriminant <= 0:
             return None
         half = sqrt(discriminant)
-        return -along - half, -along + half
+        # For along < 0 the nearer root by the product of both: 0, not 1e-65, for an eye on the sphere.
+        far = -along + half
+        return ((r * r - radius * radius) / far if along < 0 else -along - half), far
 
     air = crossings(R + top)
     if air is None or air[1] <= 0:
