@@ -1,0 +1,226 @@
+// Every function of the manifest, GPU against C++ float and double.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "builtins.hpp"
+#include "compare.hpp"
+#include "report.hpp"
+#include "start.hpp"
+#include "support/error.hpp"
+#include "support/files.hpp"
+
+namespace parity {
+
+std::vector<Row>& all_rows() {
+    static std::vector<Row> rows;
+    return rows;
+}
+
+namespace {
+
+struct Options {
+    GlslFolder glsl{AIRLIGHT_PARITY_GLSL_DIR};
+    Settings settings;
+    std::string function;  // "" for all
+    std::filesystem::path write;
+    bool list = false;
+};
+
+const char* const usage =
+    "usage: parity [options]\n"
+    "Compares every function of the generated GLSL with the C++ headers on the GPU of this machine.\n"
+    "  --glsl <folder>      the generated GLSL and its manifest.json (default: that of the source tree)\n"
+    "  --one-file           take every function from airlight.glsl instead of its own file\n"
+    "  --function <name>    this function only\n"
+    "  --share <number>     of each row's inputs, 1 is all (default 1)\n"
+    "  --seed <number>      of the inputs\n"
+    "  --write <file>       write the accuracy page (only when everything passes)\n"
+    "  --list               print the rows and exit\n"
+    "  --help               this text\n"
+    "Exit status: 0 all pass, 1 something differs, 2 wrong use, 77 no OpenGL on this machine.\n";
+
+Options parse(int argc, char** argv) {
+    Options options;
+    for (int i = 1; i < argc; ++i) {
+        const std::string option = argv[i];
+        const auto value = [&] {
+            if (i + 1 >= argc) {
+                throw UsageError(option + " needs a value");
+            }
+            return std::string(argv[++i]);
+        };
+        if (option == "--glsl") {
+            options.glsl.folder = value();
+        } else if (option == "--one-file") {
+            options.glsl.one_file = true;
+        } else if (option == "--function") {
+            options.function = value();
+        } else if (option == "--share") {
+            const std::string text = value();
+            char* end = nullptr;
+            options.settings.share = std::strtod(text.c_str(), &end);
+            if (*end != '\0' || !(options.settings.share > 0)) {
+                throw UsageError("--share needs a number above 0, not '" + text + "'");
+            }
+        } else if (option == "--seed") {
+            const std::string text = value();
+            char* end = nullptr;
+            options.settings.seed = std::strtoull(text.c_str(), &end, 10);
+            if (*end != '\0' || text.empty()) {
+                throw UsageError("--seed needs a whole number, not '" + text + "'");
+            }
+        } else if (option == "--write") {
+            options.write = value();
+        } else if (option == "--list") {
+            options.list = true;
+        } else {
+            throw UsageError("unknown option '" + option + "'");
+        }
+    }
+    return options;
+}
+
+/// Rows without a function and functions without a row, each as one line.
+std::vector<std::string> unmatched(const Manifest& manifest) {
+    std::vector<std::string> out;
+    std::map<std::string, int> rows;
+    for (const Row& row : all_rows()) {
+        if (++rows[row.function] == 2) {
+            out.push_back("the function '" + row.function + "' has two rows; keep one");
+        }
+        if (manifest.function(row.function) == nullptr) {
+            out.push_back("the row '" + row.function +
+                          "' has no function in manifest.json; delete the row or regenerate the GLSL");
+        }
+    }
+    for (const Function& function : manifest.functions) {
+        if (rows.count(function.name) == 0) {
+            out.push_back("the function '" + function.name + "' of " + function.header +
+                          " has no row; add one to tests/parity/rows (see tests/parity/README.md)");
+        }
+    }
+    return out;
+}
+
+/// Every flag and every choice of it must be met by some scene, or rows would not see it.
+std::vector<std::string> unseen_flags(const Manifest& manifest) {
+    std::vector<std::string> out;
+    for (const Flag& flag : manifest.flags) {
+        std::vector<std::string> values =
+            flag.type == "bool" ? std::vector<std::string>{"0", "1"} : flag.choices;
+        if (values.empty()) {
+            values = {flag.default_value, "a value other than " + flag.default_value};
+        }
+        for (const std::string& value : values) {
+            const bool seen =
+                value == flag.default_value ||
+                std::any_of(scene_names().begin(), scene_names().end(), [&](const SceneName& scene) {
+                    return std::any_of(
+                        scene.defines.begin(), scene.defines.end(), [&](const SceneDefine& define) {
+                            return define.macro == flag.macro &&
+                                   (define.value == value || (flag.type != "bool" && flag.choices.empty()));
+                        });
+                });
+            if (!seen) {
+                out.push_back("no scene of tests/parity/scenes.hpp has " + flag.macro + " at " + value +
+                              "; add one");
+            }
+        }
+    }
+    return out;
+}
+
+int run(const Options& options) {
+    if (options.list) {
+        for (const Row& row : all_rows()) {
+            std::cout << row.function << "\n";
+        }
+        return 0;
+    }
+    const Manifest manifest = read_manifest(options.glsl.folder / "manifest.json");
+    const std::unique_ptr<support::GlContext> context = open_context();
+    if (context == nullptr) {
+        return skipped;
+    }
+    Settings settings = options.settings;
+    settings.software_gl = is_software(context->renderer());
+    const std::string driver = context->renderer() + ", " + context->version();
+    std::cout << "driver: " << driver << "\ntolerances: "
+              << (settings.software_gl ? "software GL: + - * / sqrt exact, built-ins as measured now"
+                                       : "the GLSL specification's table of operation errors")
+              << "\n\n";
+
+    std::vector<std::string> failures = unmatched(manifest);
+    for (const std::string& line : unseen_flags(manifest)) {
+        failures.push_back(line);
+    }
+    const BuiltinReport builtins = measure_builtins(settings.seed);
+    for (const BuiltinRow& b : builtins.builtins) {
+        std::cout << b.name << ": " << b.inputs << " inputs, max relative " << b.max_relative
+                  << ", max absolute " << b.max_absolute << ", worst at x = " << number_text(b.at_x)
+                  << ", y = " << number_text(b.at_y) << "; " << b.specification
+                  << " of what the specification allows\n";
+    }
+    for (const OperationRow& o : builtins.operations) {
+        std::cout << o.glsl << " against " << o.cpp << ": " << o.different << " of " << o.inputs
+                  << " differ, max " << o.max_ulp << " ulp\n";
+    }
+    std::cout << "\n";
+
+    std::vector<RowResult> results;
+    for (const Function& function : manifest.functions) {
+        for (const Row& row : all_rows()) {
+            if (row.function != function.name ||
+                (!options.function.empty() && options.function != row.function)) {
+                continue;
+            }
+            results.push_back(run_row(row, function, manifest, options.glsl, settings));
+            std::cout << describe(results.back(), manifest) << std::flush;
+            for (const std::string& failure : results.back().failures) {
+                failures.push_back(function.name + ": " + failure);
+            }
+            break;
+        }
+    }
+    if (!options.function.empty() && results.empty()) {
+        throw support::Error("there is no row for '" + options.function + "'; --list names them");
+    }
+
+    std::size_t inputs = 0;
+    for (const RowResult& result : results) {
+        inputs += result.inputs;
+    }
+    std::cout << "\n"
+              << results.size() << " functions, " << inputs << " inputs, " << failures.size()
+              << " failures\n";
+    for (const std::string& failure : failures) {
+        std::cout << "FAILED: " << failure << "\n";
+    }
+    if (!failures.empty()) {
+        return 1;
+    }
+    if (!options.write.empty()) {
+        if (!options.function.empty()) {
+            throw support::Error("--write needs every function; leave out --function");
+        }
+        support::write_file(options.write, accuracy_page(results, builtins, manifest, settings, driver));
+        std::cout << "wrote " << options.write.string() << "\n";
+    }
+    return 0;
+}
+
+}  // namespace
+}  // namespace parity
+
+int main(int argc, char** argv) {
+    return parity::guarded_main(argc, argv, parity::usage,
+                                [&] { return parity::run(parity::parse(argc, argv)); });
+}

@@ -1,0 +1,221 @@
+#pragma once
+
+// A row: one function of the manifest, where its inputs come from, its C++ call, and what "equal" means.
+//
+//     row("rayleigh_phase")
+//         .inputs([](Draw& draw) { return std::make_tuple(draw.cosine()); })
+//         .cpu([](auto cos_theta) { return airlight::rayleigh_phase(cos_theta); })
+//         .to_the_bit();
+//
+// The call is generic: it runs in float, in double, and on `Bounded`, which derives the tolerances.
+
+#include "bounded.hpp"
+// Bounded first: the headers below look its overloads up.
+#include <airlight/scene.hpp>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "draw.hpp"
+#include "flatten.hpp"
+#include "scenes.hpp"
+
+namespace parity {
+
+/// One call, in all three scalar types.
+struct Evaluation {
+    std::vector<float> in_float;
+    std::vector<double> in_double;
+    std::vector<Bounded::Bounds> bounds;
+    std::array<bool, comparisons> undecided{};  ///< rounding could have turned a branch the other way
+};
+
+/// What a row of one function asks of the two sides.
+enum class Tolerance {
+    to_the_bit,    ///< 0 ulp on software GL: nothing but + - * / sqrt, comparisons and conversions
+    within_bound,  ///< calls exp, log or pow: error of those times the condition of what follows
+};
+
+/// What a row's call may ask about the run it is part of: Run::T, Run::Scene, and the visibility hook.
+template <typename Scalar, typename SceneType, typename VisibilityType>
+struct Run {
+    using T = Scalar;
+    using Scene = SceneType;
+    using Visibility = VisibilityType;
+    Visibility visibility{};
+};
+
+/// A row without its types, as the test program handles it.
+struct Row {
+    std::string function;
+    Tolerance tolerance = Tolerance::to_the_bit;
+    std::size_t count = 16384;
+    std::string note;              ///< stated beside the row, in the report too
+    std::string input_signature;   ///< one letter per float: f, i, b
+    std::string result_signature;  ///< likewise
+    std::function<std::vector<float>(Draw&)> draw;
+    /// Scene number, whether the shadowing hook is on, the flat input.
+    std::function<Evaluation(std::size_t, bool, const std::vector<float>&)> evaluate;
+};
+
+namespace detail {
+
+template <typename V>
+void append_floats(const V& value, std::vector<float>& out) {
+    for_each_leaf(value, [&](const auto& leaf) { out.push_back(static_cast<float>(leaf)); });
+}
+
+template <typename... A>
+std::vector<float> flat(const std::tuple<A...>& arguments) {
+    std::vector<float> out;
+    std::apply([&](const auto&... argument) { (append_floats(argument, out), ...); }, arguments);
+    return out;
+}
+
+template <typename V>
+void read_floats(V& value, const std::vector<float>& in, std::size_t& at) {
+    for_each_leaf(value, [&](auto& leaf) { leaf = static_cast<std::decay_t<decltype(leaf)>>(in[at++]); });
+}
+
+template <typename Tuple>
+Tuple unflat(const std::vector<float>& in) {
+    Tuple out{};
+    std::size_t at = 0;
+    std::apply([&](auto&... argument) { (read_floats(argument, in, at), ...); }, out);
+    return out;
+}
+
+template <typename T, typename Scene, typename Visibility, typename Call, typename Tuple>
+auto call_in(const Call& call, const Tuple& inputs) {
+    return std::apply(
+        [&](const auto&... argument) {
+            using R = Run<T, Scene, Visibility>;
+            if constexpr (std::is_invocable_v<Call, R, decltype(converted<T>(argument))...>) {
+                return call(R{}, converted<T>(argument)...);
+            } else {
+                return call(converted<T>(argument)...);
+            }
+        },
+        inputs);
+}
+
+template <typename Scene, typename Visibility, typename Call, typename Tuple>
+Evaluation evaluate(const Call& call, const Tuple& inputs) {
+    Evaluation out;
+    const auto in_float = call_in<float, Scene, Visibility>(call, inputs);
+    const auto in_double = call_in<double, Scene, Visibility>(call, inputs);
+    undecided_branches() = {};
+    const auto bounded = call_in<Bounded, Scene, Visibility>(call, inputs);
+    out.undecided = undecided_branches();
+    for_each_leaf(in_float, [&](const auto& x) { out.in_float.push_back(static_cast<float>(x)); });
+    for_each_leaf(in_double, [&](const auto& x) { out.in_double.push_back(static_cast<double>(x)); });
+    for_each_leaf(bounded, [&](const auto& x) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(x)>, Bounded>) {
+            out.bounds.push_back(x.bound());
+        } else {
+            out.bounds.push_back({0, 0, 0});  // a decision or a count: equal or wrong
+        }
+    });
+    return out;
+}
+
+template <typename Tuple, typename Call, std::size_t... Scenes>
+Evaluation evaluate_in_scene(std::size_t scene, bool shadowed, const Call& call, const Tuple& inputs,
+                             std::index_sequence<Scenes...>) {
+    Evaluation out;
+    (
+        [&] {
+            if (scene == Scenes) {
+                using Scene = std::tuple_element_t<Scenes, SceneTypes>;
+                out = shadowed ? evaluate<Scene, PartlyLit>(call, inputs)
+                               : evaluate<Scene, airlight::AlwaysLit>(call, inputs);
+            }
+        }(),
+        ...);
+    return out;
+}
+
+}  // namespace detail
+
+/// All rows, in the order of the files that state them.
+std::vector<Row>& all_rows();
+
+/// States a row step by step; the last step, the tolerance, enters it.
+template <typename Inputs = int, typename Call = int>
+class RowBuilder {
+  public:
+    RowBuilder(Row row, Inputs draw, Call call)
+        : row_(std::move(row)), inputs_(std::move(draw)), call_(std::move(call)) {}
+    template <typename I>
+    auto inputs(I draw) const {
+        return RowBuilder<I, Call>(row_, draw, call_);
+    }
+    /// For a function without inputs.
+    auto no_inputs() const {
+        const auto none = [](Draw&) { return std::tuple<>(); };
+        return RowBuilder<decltype(none), Call>(row_, none, call_).count(1);
+    }
+    template <typename C>
+    auto cpu(C call) const {
+        return RowBuilder<Inputs, C>(row_, inputs_, call);
+    }
+    RowBuilder count(std::size_t n) const {
+        RowBuilder out = *this;
+        out.row_.count = n;
+        return out;
+    }
+    RowBuilder note(const std::string& text) const {
+        RowBuilder out = *this;
+        out.row_.note = text;
+        return out;
+    }
+    bool to_the_bit() const {
+        return enter(Tolerance::to_the_bit);
+    }
+    bool within_bound() const {
+        return enter(Tolerance::within_bound);
+    }
+
+  private:
+    template <typename, typename>
+    friend class RowBuilder;
+
+    bool enter(Tolerance tolerance) const {
+        Row row = row_;
+        row.tolerance = tolerance;
+        using Tuple = std::decay_t<std::invoke_result_t<Inputs, Draw&>>;
+        const Inputs draw = inputs_;
+        const Call call = call_;
+        const Tuple example{};
+        std::apply([&](const auto&... argument) { (append_signature(argument, row.input_signature), ...); },
+                   example);
+        using Result =
+            decltype(detail::call_in<float, airlight::DefaultScene, airlight::AlwaysLit>(call, example));
+        append_signature(Result{}, row.result_signature);
+        row.draw = [draw](Draw& d) { return detail::flat(draw(d)); };
+        row.evaluate = [call](std::size_t scene, bool shadowed, const std::vector<float>& in) {
+            return detail::evaluate_in_scene(scene, shadowed, call, detail::unflat<Tuple>(in),
+                                             std::make_index_sequence<std::tuple_size_v<SceneTypes>>{});
+        };
+        all_rows().push_back(std::move(row));
+        return true;
+    }
+
+    Row row_;
+    Inputs inputs_;
+    Call call_;
+};
+
+inline RowBuilder<> row(const std::string& function) {
+    Row r;
+    r.function = function;
+    return RowBuilder<>(r, 0, 0);
+}
+
+}  // namespace parity

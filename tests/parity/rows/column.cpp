@@ -1,0 +1,100 @@
+#include "row.hpp"
+// row.hpp first: see bounded.hpp.
+#include <airlight/column.hpp>
+#include <airlight/optical_depth.hpp>
+#include <airlight/transmittance.hpp>
+
+namespace parity {
+
+static auto ray(Draw& draw) {
+    const auto atmosphere = draw.atmosphere();
+    const float altitude = draw.altitude(atmosphere);
+    const float mu = draw.cosine();
+    return std::make_tuple(atmosphere, altitude, mu, draw.distance(atmosphere));
+}
+
+static const bool relative_density_row =
+    row("relative_density")
+        .inputs([](Draw& draw) {
+            const auto atmosphere = draw.atmosphere();
+            return std::make_tuple(atmosphere, draw.altitude(atmosphere));
+        })
+        .cpu([](auto run, const auto& atmosphere, auto altitude) {
+            using R = decltype(run);
+            return airlight::relative_density<typename R::T, typename R::Scene>(atmosphere, altitude);
+        })
+        .within_bound();
+
+static const bool column_marched_row =
+    row("column_marched")
+        .inputs([](Draw& draw) {
+            return std::tuple_cat(ray(draw), std::make_tuple(draw.one_of({0, 1, 2, 7, 32})));
+        })
+        .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu, auto distance, int steps) {
+            using R = decltype(run);
+            return airlight::column_marched<typename R::T, typename R::Scene>(atmosphere, altitude, mu,
+                                                                              distance, steps);
+        })
+        .within_bound();
+
+static const bool column_optical_depth_row =
+    row("column_optical_depth")
+        .inputs([](Draw& draw) {
+            const auto atmosphere = draw.atmosphere();
+            const float rayleigh = draw.magnitude(1.0F, 1e6F, {0.0F});
+            const float mie = draw.magnitude(1.0F, 1e6F, {0.0F});
+            return std::make_tuple(
+                atmosphere, airlight::Column<float>{rayleigh, mie, draw.magnitude(1.0F, 1e6F, {0.0F})});
+        })
+        .cpu([](auto run, const auto& atmosphere, const auto& column) {
+            using R = decltype(run);
+            return airlight::column_optical_depth<typename R::T, typename R::Scene>(atmosphere, column);
+        })
+        .to_the_bit();
+
+static const bool optical_depth_row =
+    row("optical_depth")
+        .inputs(ray)
+        .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu, auto distance) {
+            using R = decltype(run);
+            return airlight::optical_depth<typename R::T, typename R::Scene>(atmosphere, altitude, mu,
+                                                                             distance);
+        })
+        .within_bound();
+
+static const bool transmittance_row =
+    row("transmittance")
+        .inputs(ray)
+        .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu, auto distance) {
+            using R = decltype(run);
+            return airlight::transmittance<typename R::T, typename R::Scene>(atmosphere, altitude, mu,
+                                                                             distance);
+        })
+        .within_bound();
+
+static const bool behind_planet_row =
+    row("behind_planet")
+        .inputs([](Draw& draw) {
+            const auto atmosphere = draw.atmosphere();
+            const float altitude = draw.altitude(atmosphere);
+            return std::make_tuple(atmosphere.ground_radius, altitude, draw.cosine());
+        })
+        .cpu(
+            [](auto radius, auto altitude, auto mu) { return airlight::behind_planet(radius, altitude, mu); })
+        .to_the_bit();
+
+static const bool transmittance_to_space_row =
+    row("transmittance_to_space")
+        .inputs([](Draw& draw) {
+            const auto atmosphere = draw.atmosphere();
+            const float altitude = draw.altitude(atmosphere);
+            return std::make_tuple(atmosphere, altitude, draw.cosine());
+        })
+        .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu) {
+            using R = decltype(run);
+            return airlight::transmittance_to_space<typename R::T, typename R::Scene>(atmosphere, altitude,
+                                                                                      mu);
+        })
+        .within_bound();
+
+}  // namespace parity

@@ -1,0 +1,87 @@
+#pragma once
+
+// The scenes in which functions with flags are compared, C++ type and shader defines side by side, and the
+// visibility hook that both sides compile.
+
+#include <airlight/scene.hpp>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace parity {
+
+struct NoMie : airlight::DefaultScene {
+    static constexpr bool mie = false;
+};
+struct NoOzone : airlight::DefaultScene {
+    static constexpr int ozone = airlight::ozone_none;
+};
+struct LorentzianOzone : airlight::DefaultScene {
+    static constexpr int ozone = airlight::ozone_lorentzian;
+};
+struct HenyeyGreensteinMie : airlight::DefaultScene {
+    static constexpr int mie_phase = airlight::phase_henyey_greenstein;
+};
+struct Fog : airlight::DefaultScene {
+    static constexpr int mie_phase = airlight::phase_fog;
+};
+struct NoPlanetShadow : airlight::DefaultScene {
+    static constexpr bool planet_shadow = false;
+};
+struct FewColumnSteps : airlight::DefaultScene {
+    static constexpr int column_steps = 5;
+};
+
+using SceneTypes = std::tuple<airlight::DefaultScene, NoMie, NoOzone, LorentzianOzone, HenyeyGreensteinMie,
+                              Fog, NoPlanetShadow, FewColumnSteps>;
+
+/// One define of the shader: macro and value. Values at their defaults are not listed.
+struct SceneDefine {
+    std::string macro;
+    std::string value;
+};
+
+struct SceneName {
+    std::string name;
+    std::vector<SceneDefine> defines;
+    bool fog = false;  ///< Atmosphere::mie_g is a droplet diameter
+};
+
+/// In the order of SceneTypes.
+inline const std::array<SceneName, std::tuple_size_v<SceneTypes>>& scene_names() {
+    static const std::array<SceneName, std::tuple_size_v<SceneTypes>> names = {
+        SceneName{"default", {}},
+        SceneName{"no aerosol", {{"AIRLIGHT_MIE", "0"}}},
+        SceneName{"no ozone", {{"AIRLIGHT_OZONE", "AIRLIGHT_OZONE_NONE"}}},
+        SceneName{"Lorentzian ozone", {{"AIRLIGHT_OZONE", "AIRLIGHT_OZONE_LORENTZIAN"}}},
+        SceneName{"Henyey-Greenstein aerosol", {{"AIRLIGHT_MIE_PHASE", "AIRLIGHT_PHASE_HENYEY_GREENSTEIN"}}},
+        SceneName{"fog", {{"AIRLIGHT_MIE_PHASE", "AIRLIGHT_PHASE_FOG"}}, true},
+        SceneName{"no planet shadow", {{"AIRLIGHT_PLANET_SHADOW", "0"}}},
+        SceneName{"5 column steps", {{"AIRLIGHT_COLUMN_STEPS", "5"}}},
+    };
+    return names;
+}
+
+/// A visibility hook that depends on every coordinate and reaches 0 and 1: lit on one side of the eye.
+struct PartlyLit {
+    template <typename T>
+    T operator()(const airlight::vec3<T>& position) const {
+        const T reach = glm::abs(position.x) + glm::abs(position.y) + glm::abs(position.z);
+        return reach > T(0)
+                   ? glm::clamp(T(0.5) + (position.x - T(0.5) * position.y + T(0.25) * position.z) / reach,
+                                T(0), T(1))
+                   : T(1);
+    }
+};
+
+/// The same hook for a shader, by hand: it plays the part of the user's own code.
+inline const char* const partly_lit_glsl = R"glsl(
+float parity_partly_lit(vec3 position) {
+    float reach = abs(position.x) + abs(position.y) + abs(position.z);
+    return reach > 0.0 ? clamp(0.5 + (position.x - 0.5 * position.y + 0.25 * position.z) / reach, 0.0, 1.0) : 1.0;
+}
+)glsl";
+
+}  // namespace parity

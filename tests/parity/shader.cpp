@@ -1,0 +1,201 @@
+#include "shader.hpp"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "support/error.hpp"
+#include "support/files.hpp"
+#include "support/gl_context.hpp"
+#include "support/gl_objects.hpp"
+#include "support/glsl_source.hpp"
+
+namespace parity {
+namespace {
+
+constexpr int group_size = 64;
+
+/// GLSL that builds a value of `type` from floats in_data[base + at], and moves `at` on.
+std::string construct(const Manifest& manifest, const std::string& type, std::size_t& at) {
+    const auto next = [&] { return "in_data[base + " + std::to_string(at++) + "]"; };
+    if (type == "float") {
+        return next();
+    }
+    if (type == "int") {
+        return "int(" + next() + ")";
+    }
+    if (type == "bool") {
+        return next() + " != 0.0";
+    }
+    std::string out;
+    if (type == "vec2" || type == "vec3" || type == "vec4") {
+        for (char i = '0'; i < type[3]; ++i) {
+            out += (out.empty() ? "" : ", ") + next();
+        }
+        return type + "(" + out + ")";
+    }
+    const Struct& description = manifest.struct_named(type);
+    for (const Member& member : description.members) {
+        out += (out.empty() ? "" : ", ") + construct(manifest, member.type, at);
+    }
+    return description.glsl + "(" + out + ")";
+}
+
+/// GLSL statements that write `value` of `type` to out_data[base + at].
+std::string store(const Manifest& manifest, const std::string& type, const std::string& value,
+                  const std::string& qualifier, std::size_t& at) {
+    const auto line = [&](const std::string& scalar) {
+        const std::string k = std::to_string(at++);
+        return "    " + qualifier + "float out_" + k + " = " + scalar + ";\n    out_data[out_base + " + k +
+               "] = out_" + k + ";\n";
+    };
+    if (type == "float") {
+        return line(value);
+    }
+    if (type == "int") {
+        return line("float(" + value + ")");
+    }
+    if (type == "bool") {
+        return line(value + " ? 1.0 : 0.0");
+    }
+    std::string out;
+    if (type == "vec2" || type == "vec3" || type == "vec4") {
+        for (int i = 0; i < type[3] - '0'; ++i) {
+            out += line(value + "." + std::string(1, "xyzw"[i]));
+        }
+        return out;
+    }
+    for (const Member& member : manifest.struct_named(type).members) {
+        out += store(manifest, member.type, value + "." + member.name, qualifier, at);
+    }
+    return out;
+}
+
+std::string glsl_type(const Manifest& manifest, const std::string& type) {
+    static const std::vector<std::string> own = {"float", "int", "bool", "vec2", "vec3", "vec4"};
+    return std::find(own.begin(), own.end(), type) != own.end() ? type : manifest.struct_named(type).glsl;
+}
+
+std::string buffers(std::size_t per_input, std::size_t per_result) {
+    std::ostringstream out;
+    out << "layout(local_size_x = " << group_size << ") in;\n"
+        << "layout(std430, binding = 0) readonly buffer Inputs { float in_data[]; };\n"
+        << "layout(std430, binding = 1) writeonly buffer Results { float out_data[]; };\n"
+        << "uniform int rows;\n"
+        << "const int per_input = " << per_input << ";\nconst int per_result = " << per_result << ";\n";
+    return out.str();
+}
+
+const char* const main_head =
+    "void main() {\n"
+    "    int row = int(gl_GlobalInvocationID.x);\n"
+    "    if (row >= rows) {\n"
+    "        return;\n"
+    "    }\n"
+    "    int base = row * per_input;\n"
+    "    int out_base = row * per_result;\n";
+
+/// The built-in of the same name, in GLM's order of summation.
+const char* const glm_dot =
+    "float dot(vec3 a, vec3 b) {\n"
+    "    return a.x * b.x + a.y * b.y + a.z * b.z;\n"
+    "}\n";
+
+}  // namespace
+
+std::string expanded(const GlslFolder& glsl, const std::string& file) {
+    const std::string name = glsl.one_file ? "airlight.glsl" : file;
+    return support::expand_includes(glsl.folder / name, {glsl.folder}).text;
+}
+
+std::string function_shader(const Manifest& manifest, const Function& function, const GlslFolder& glsl,
+                            const SceneName& scene, bool partly_lit, Compiled compiled) {
+    std::string inputs;
+    for (const Member& parameter : function.parameters) {
+        inputs += manifest.signature(parameter.type);
+    }
+    const std::string results = manifest.signature(function.result);
+
+    std::string text = "#version 430 core\n";
+    for (const SceneDefine& define : scene.defines) {
+        text += "#define " + define.macro + " " + define.value + "\n";
+    }
+    if (compiled == Compiled::pinned) {
+        text += glm_dot;
+    }
+    if (partly_lit) {
+        text += partly_lit_glsl;
+        text += "#define AIRLIGHT_VISIBILITY(position) parity_partly_lit(position)\n";
+    }
+    text += expanded(glsl, function.file);
+    text += "\n" + buffers(inputs.size(), results.size()) + main_head;
+    std::size_t at = 0;
+    std::string arguments;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const Member& parameter = function.parameters[i];
+        const std::string argument = "argument_" + std::to_string(i);
+        text += "    " + glsl_type(manifest, parameter.type) + " " + argument + " = " +
+                construct(manifest, parameter.type, at) + ";\n";
+        arguments += (arguments.empty() ? "" : ", ") + argument;
+    }
+    text += "    " + glsl_type(manifest, function.result) + " result = " + function.glsl + "(" + arguments +
+            ");\n";
+    at = 0;
+    text += store(manifest, function.result, "result", compiled == Compiled::pinned ? "precise " : "", at) +
+            "}\n";
+    return text;
+}
+
+std::string expression_shader(const std::string& expression, bool precise) {
+    return "#version 430 core\n" + buffers(2, 1) + main_head +
+           "    float x = in_data[base];\n    float y = in_data[base + 1];\n" +
+           (precise ? "    precise" : "   ") + " float result = " + expression +
+           ";\n    out_data[out_base] = result;\n}\n";
+}
+
+std::vector<float> run_shader(const std::string& text, const std::string& name,
+                              const std::vector<float>& inputs, std::size_t rows, std::size_t per_result) {
+    support::ShaderSource source{GL_COMPUTE_SHADER, text, {name}};
+    const support::Program program = support::link_program({source});
+    const support::Buffer in = support::create_buffer();
+    const support::Buffer out = support::create_buffer();
+    const auto bytes = [](std::size_t floats) {
+        return static_cast<GLsizeiptr>(std::max<std::size_t>(floats, 1) * sizeof(float));
+    };
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, in);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, bytes(inputs.size()), inputs.empty() ? nullptr : inputs.data(),
+                 GL_STATIC_DRAW);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, out);
+    glBufferData(GL_SHADER_STORAGE_BUFFER, bytes(rows * per_result), nullptr, GL_DYNAMIC_READ);
+    glUseProgram(program);
+    glUniform1i(glGetUniformLocation(program, "rows"), static_cast<GLint>(rows));
+    glDispatchCompute(static_cast<GLuint>((rows + group_size - 1) / group_size), 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    std::vector<float> results(rows * per_result);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, out);
+    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, bytes(results.size()), results.data());
+    support::check_gl(("running the shader of " + name).c_str());
+    return results;
+}
+
+std::string compile_log(const std::string& text, bool compute) {
+    const GLuint shader = glCreateShader(compute ? GL_COMPUTE_SHADER : GL_FRAGMENT_SHADER);
+    const char* const source = text.c_str();
+    glShaderSource(shader, 1, &source, nullptr);
+    glCompileShader(shader);
+    GLint ok = GL_FALSE;
+    GLint length = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    glGetShaderInfoLog(shader, length, nullptr, log.data());
+    glDeleteShader(shader);
+    log.resize(log.find('\0') == std::string::npos ? log.size() : log.find('\0'));
+    if (ok != GL_TRUE) {
+        return log.empty() ? "the driver refused it without a message" : log;
+    }
+    return log.find("warning") == std::string::npos ? "" : log;
+}
+
+}  // namespace parity
