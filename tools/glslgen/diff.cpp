@@ -69,6 +69,11 @@ std::vector<Step> steps(const std::vector<std::string>& a, const std::vector<std
     return result;
 }
 
+/// An empty range is said to stand behind the line before it.
+std::string hunk_range(std::size_t first, std::size_t count) {
+    return std::to_string(count == 0 ? first - 1 : first) + "," + std::to_string(count);
+}
+
 }  // namespace
 
 std::string unified_diff(const std::string& before, const std::string& after, const std::string& before_name,
@@ -103,8 +108,8 @@ std::string unified_diff(const std::string& before, const std::string& after, co
             new_count += all[k].mark != '-' ? 1 : 0;
             hunk += all[k].mark + all[k].text + "\n";
         }
-        text += "@@ -" + std::to_string(old_line - lead) + "," + std::to_string(old_count) + " +" +
-                std::to_string(new_line - lead) + "," + std::to_string(new_count) + " @@\n" + hunk;
+        text += "@@ -" + hunk_range(old_line - lead, old_count) + " +" +
+                hunk_range(new_line - lead, new_count) + " @@\n" + hunk;
         old_line += old_count - lead;
         new_line += new_count - lead;
         i = stop;

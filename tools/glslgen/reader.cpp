@@ -244,7 +244,7 @@ class Reader {
             arguments.push_back("-I" + folder);
         }
         for (const std::string& folder : options_.system_folders) {
-            arguments.push_back("-isystem" + folder);
+            arguments.push_back("-I" + folder);  // -isystem /usr/include would hide it from #include_next
         }
         std::vector<const char*> pointers;
         for (const std::string& argument : arguments) {

@@ -1,0 +1,3 @@
+#pragma once
+
+#include <glm/names.hpp>

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A struct.
+template <typename T>
+struct S {
+    T x;  ///< [L]
+};
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+S<T> f(T x) {
+    return {x};
+}
+
+}  // namespace airlight

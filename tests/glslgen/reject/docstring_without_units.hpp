@@ -1,0 +1,18 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A quantity.
+///
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+T f(T x) {
+    return x;
+}
+
+}  // namespace airlight

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+T f(T x) {
+    return x < T(1e-6) ? T(0) : x;
+}
+
+}  // namespace airlight

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+T f(T x) {
+    T y = x;
+    for (int i = 0; i < 8; i++) {
+        y += x;
+    }
+    return y;
+}
+
+}  // namespace airlight

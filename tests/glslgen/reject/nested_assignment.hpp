@@ -1,0 +1,22 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+T f(T x) {
+    T y = x;
+    T z = x;
+    y = z = x;
+    return y + z;
+}
+
+}  // namespace airlight

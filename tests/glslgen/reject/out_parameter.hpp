@@ -1,0 +1,20 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+T f(T x, T& y) {
+    y = x;
+    return x;
+}
+
+}  // namespace airlight

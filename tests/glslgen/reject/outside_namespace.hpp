@@ -1,0 +1,3 @@
+#pragma once
+
+inline int outside() { return 1; }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A struct.
+template <typename T>
+struct S {
+    T input;  ///< [L]
+};
+
+}  // namespace airlight

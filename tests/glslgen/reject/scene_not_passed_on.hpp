@@ -1,0 +1,45 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// No layer.
+inline constexpr int ozone_none = 0;
+/// A tent.
+inline constexpr int ozone_tent = 1;
+/// A Lorentz curve.
+inline constexpr int ozone_lorentzian = 2;
+
+/// The terms of a scene.
+struct DefaultScene {
+    static constexpr bool mie = true;         ///< aerosol
+    static constexpr int ozone = ozone_tent;  ///< profile of the layer
+    static constexpr int steps = 16;          ///< samples
+};
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T, typename Scene = DefaultScene>
+T f(T x) {
+    return x * T(Scene::steps);
+}
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T, typename Scene = DefaultScene>
+T g(T x) {
+    return f(x);
+}
+
+}  // namespace airlight

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+T f(T x, int n) {
+    return static_cast<T>(n) * x;
+}
+
+}  // namespace airlight

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T, int N>
+T f(T x) {
+    return x * T(N);
+}
+
+}  // namespace airlight

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+vec3<T> f(T x, const vec3<T>& v) {
+    return x > T(0) ? v : -v;
+}
+
+}  // namespace airlight

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <airlight/types.hpp>
+
+namespace airlight {
+
+/// A quantity.
+///
+/// Units:    none.
+/// Domain:   none.
+/// Accuracy: none.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+T f(T x) {
+    T y = x;
+    while (y < T(1)) {
+        y += T(1);
+    }
+    return y;
+}
+
+}  // namespace airlight
