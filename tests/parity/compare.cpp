@@ -183,6 +183,9 @@ RowResult run_row(const Row& row, const Function& function, const Manifest& mani
 
     for (std::size_t scene = 0; scene < scene_names().size(); ++scene) {
         const SceneName& scene_name = scene_names()[scene];
+        if (settings.stop_early && (result.gpu_float.outside > 0 || !result.failures.empty())) {
+            break;
+        }
         if (!uses_scene(function, manifest, scene_name)) {
             continue;
         }

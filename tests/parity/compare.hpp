@@ -63,9 +63,10 @@ struct RowResult {
 
 struct Settings {
     std::uint64_t seed = 20220613;
-    double share = 1;  ///< of each row's number of inputs
-    bool software_gl =
-        true;  ///< llvmpipe: exact + - * / sqrt, measured built-ins; else the GLSL specification
+    double share = 1;         ///< of each row's number of inputs
+    bool stop_early = false;  ///< after the first scene that fails
+    /// llvmpipe: + - * / sqrt exact, built-ins as measured. Otherwise the GLSL specification's table.
+    bool software_gl = true;
 };
 
 RowResult run_row(const Row& row, const Function& function, const Manifest& manifest, const GlslFolder& glsl,

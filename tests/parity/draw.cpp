@@ -108,6 +108,19 @@ float Draw::cosine() {
     }
 }
 
+float Draw::grazing_cosine(float radius, float altitude) {
+    const double u = next();
+    const float any = cosine();
+    if (!(altitude > 0) || random() % 2 == 0) {
+        return any;
+    }
+    const double sine =
+        static_cast<double>(radius) / (static_cast<double>(radius) + static_cast<double>(altitude));
+    const double touching = std::sqrt((1 - sine) * (1 + sine));
+    const double off = std::pow(10.0, -7 * std::abs(2 * u - 1)) * (u < 0.5 ? -1 : 1);
+    return static_cast<float>(std::clamp(-touching * (1 + off), -1.0, 1.0));
+}
+
 airlight::vec3<float> Draw::direction() {
     const double u = next();
     const double v = next();

@@ -27,6 +27,9 @@ class Draw {
 
     /// A cosine in [-1, 1]: even, close to the horizon, close to both poles; -1, 0, 1 and their neighbours.
     float cosine();
+    /// As cosine(), but half of them close to the direction in which a ray touches a sphere of `radius`, seen
+    /// from `altitude` above it: where hit and miss part.
+    float grazing_cosine(float radius, float altitude);
     /// A unit vector to half a roundoff; along the axes too.
     airlight::vec3<float> direction();
     /// A unit vector whose cosine to `up` is close to `mu`.

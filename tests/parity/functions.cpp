@@ -8,6 +8,8 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include "builtins.hpp"
@@ -19,11 +21,6 @@
 
 namespace parity {
 
-std::vector<Row>& all_rows() {
-    static std::vector<Row> rows;
-    return rows;
-}
-
 namespace {
 
 struct Options {
@@ -31,6 +28,7 @@ struct Options {
     Settings settings;
     std::string function;  // "" for all
     std::filesystem::path write;
+    std::filesystem::path check_page;
     bool list = false;
 };
 
@@ -43,6 +41,7 @@ const char* const usage =
     "  --share <number>     of each row's inputs, 1 is all (default 1)\n"
     "  --seed <number>      of the inputs\n"
     "  --write <file>       write the accuracy page (only when everything passes)\n"
+    "  --check-page <file>  only check that the accuracy page lists every function; needs no OpenGL\n"
     "  --list               print the rows and exit\n"
     "  --help               this text\n"
     "Exit status: 0 all pass, 1 something differs, 2 wrong use, 77 no OpenGL on this machine.\n";
@@ -79,6 +78,8 @@ Options parse(int argc, char** argv) {
             }
         } else if (option == "--write") {
             options.write = value();
+        } else if (option == "--check-page") {
+            options.check_page = value();
         } else if (option == "--list") {
             options.list = true;
         } else {
@@ -138,6 +139,35 @@ std::vector<std::string> unseen_flags(const Manifest& manifest) {
     return out;
 }
 
+/// Whether the committed page is in step: every function of the manifest is listed, and nothing else is.
+/// Digits differ from machine to machine and are not looked at.
+int check_page(const std::filesystem::path& page, const Manifest& manifest) {
+    const std::string text = support::read_file(page);
+    std::set<std::string> listed;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("| `", 0) == 0 && line.find('(') == std::string::npos) {
+            listed.insert(line.substr(3, line.find('`', 3) - 3));
+        }
+    }
+    int wrong = 0;
+    for (const Function& function : manifest.functions) {
+        if (listed.erase(function.name) == 0) {
+            std::cout << "FAILED: " << page.string() << " does not list '" << function.name
+                      << "'; write it anew: parity --write " << page.string() << "\n";
+            ++wrong;
+        }
+    }
+    for (const std::string& name : listed) {
+        std::cout << "FAILED: " << page.string() << " lists '" << name
+                  << "', which is no function of the manifest; write it anew: parity --write "
+                  << page.string() << "\n";
+        ++wrong;
+    }
+    std::cout << manifest.functions.size() << " functions, " << wrong << " out of step\n";
+    return wrong == 0 ? 0 : 1;
+}
+
 int run(const Options& options) {
     if (options.list) {
         for (const Row& row : all_rows()) {
@@ -146,6 +176,9 @@ int run(const Options& options) {
         return 0;
     }
     const Manifest manifest = read_manifest(options.glsl.folder / "manifest.json");
+    if (!options.check_page.empty()) {
+        return check_page(options.check_page, manifest);
+    }
     const std::unique_ptr<support::GlContext> context = open_context();
     if (context == nullptr) {
         return skipped;

@@ -4,9 +4,10 @@
 
 namespace parity {
 
-// In [0, 1] and somewhat outside, with the knees of both transfer functions.
+// In [0, 1] and somewhat outside, with both sides of the knees of both transfer functions.
 static float channel(Draw& draw) {
-    return draw.number(0.0F, 1.0F, {-0.5F, 1.5F, 0.0031308F, 0.04045F, 1e-8F});
+    return draw.number(0.0F, 1.0F,
+                       {-0.5F, 1.5F, 0.0031308F, 0.00314F, 0.00312F, 0.04045F, 0.0406F, 0.0403F, 1e-8F});
 }
 static airlight::vec3<float> channels(Draw& draw) {
     const float red = channel(draw);

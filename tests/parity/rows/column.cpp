@@ -9,7 +9,8 @@ namespace parity {
 static auto ray(Draw& draw) {
     const auto atmosphere = draw.atmosphere();
     const float altitude = draw.altitude(atmosphere);
-    const float mu = draw.cosine();
+    const float mu = draw.grazing_cosine(atmosphere.ground_radius + atmosphere.top_altitude,
+                                         altitude - atmosphere.top_altitude);
     return std::make_tuple(atmosphere, altitude, mu, draw.distance(atmosphere));
 }
 
@@ -77,7 +78,8 @@ static const bool behind_planet_row =
         .inputs([](Draw& draw) {
             const auto atmosphere = draw.atmosphere();
             const float altitude = draw.altitude(atmosphere);
-            return std::make_tuple(atmosphere.ground_radius, altitude, draw.cosine());
+            return std::make_tuple(atmosphere.ground_radius, altitude,
+                                   draw.grazing_cosine(atmosphere.ground_radius, altitude));
         })
         .cpu(
             [](auto radius, auto altitude, auto mu) { return airlight::behind_planet(radius, altitude, mu); })
@@ -88,7 +90,8 @@ static const bool transmittance_to_space_row =
         .inputs([](Draw& draw) {
             const auto atmosphere = draw.atmosphere();
             const float altitude = draw.altitude(atmosphere);
-            return std::make_tuple(atmosphere, altitude, draw.cosine());
+            return std::make_tuple(atmosphere, altitude,
+                                   draw.grazing_cosine(atmosphere.ground_radius, altitude));
         })
         .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu) {
             using R = decltype(run);

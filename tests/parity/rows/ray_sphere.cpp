@@ -9,7 +9,7 @@ static const bool intersect_ray_sphere_row =
         .inputs([](Draw& draw) {
             const float radius = draw.magnitude(1.0F, 1e8F, {6.371e6F});
             const float altitude = draw.magnitude(1e-7F, 150.0F, {0.0F, -1.0F, -0.5F, -1e-6F}) * radius;
-            return std::make_tuple(radius, altitude, draw.cosine());
+            return std::make_tuple(radius, altitude, draw.grazing_cosine(radius, altitude));
         })
         .cpu([](auto radius, auto altitude, auto mu) {
             return airlight::intersect_ray_sphere(radius, altitude, mu);
