@@ -146,8 +146,14 @@ int check_page(const std::filesystem::path& page, const Manifest& manifest) {
     std::set<std::string> listed;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-        if (line.rfind("| `", 0) == 0 && line.find('(') == std::string::npos) {
-            listed.insert(line.substr(3, line.find('`', 3) - 3));
+        if (line.rfind("| `", 0) != 0) {
+            continue;
+        }
+        const std::string name = line.substr(3, line.find('`', 3) - 3);
+        const std::string letters = "abcdefghijklmnopqrstuvwxyz0123456789_";
+        if (name.find_first_not_of(letters) ==
+            std::string::npos) {  // not a measured expression such as x / y
+            listed.insert(name);
         }
     }
     int wrong = 0;
