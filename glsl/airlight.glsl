@@ -823,8 +823,8 @@ airlight_AirRay airlight_air_ray(airlight_Atmosphere atmosphere, airlight_Viewpo
         meets_ground ? ground_product / (airlight_safe_sqrt(ground_discriminant) - along) : exit_length;
     float surface_length = distance - begin;
     float length = max(min(min(exit_length, ground_length), surface_length), 0.0);
-    return airlight_AirRay(length > 0.0, meets_ground && ground_length <= surface_length, begin, length, altitude,
-                           along);
+    return airlight_AirRay(length > 0.0, meets_ground && ground_length <= surface_length, begin, length,
+                           altitude, along);
 }
 
 // Where a view ray is inside the air, and whether the ground sphere ends it.
@@ -883,7 +883,8 @@ airlight_Density airlight_relative_density(airlight_Atmosphere atmosphere, float
 #endif
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
     ozone =
-        rayleigh * airlight_lorentzian_density(altitude, atmosphere.ozone_altitude, atmosphere.ozone_half_width);
+        rayleigh * airlight_lorentzian_density(altitude, atmosphere.ozone_altitude,
+                                               atmosphere.ozone_half_width);
 #endif
     return airlight_Density(rayleigh, mie, ozone);
 }
@@ -1032,6 +1033,7 @@ vec3 airlight_ambient_radiance(vec3 ambient_scattering, float rayleigh_column, v
 // ---- single_scattering ------------------------------------------------------
 
 // Hook: the share of sunlight that reaches `position` (relative to the eye), in [0, 1].
+// In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_VISIBILITY
 #define AIRLIGHT_VISIBILITY(position) 1.0
 #endif

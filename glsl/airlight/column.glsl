@@ -44,7 +44,8 @@ airlight_Density airlight_relative_density(airlight_Atmosphere atmosphere, float
 #endif
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
     ozone =
-        rayleigh * airlight_lorentzian_density(altitude, atmosphere.ozone_altitude, atmosphere.ozone_half_width);
+        rayleigh * airlight_lorentzian_density(altitude, atmosphere.ozone_altitude,
+                                               atmosphere.ozone_half_width);
 #endif
     return airlight_Density(rayleigh, mie, ozone);
 }

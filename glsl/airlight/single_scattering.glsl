@@ -7,6 +7,7 @@
 #include "airlight/view_path.glsl"
 
 // Hook: the share of sunlight that reaches `position` (relative to the eye), in [0, 1].
+// In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_VISIBILITY
 #define AIRLIGHT_VISIBILITY(position) 1.0
 #endif

@@ -89,8 +89,8 @@ airlight_AirRay airlight_air_ray(airlight_Atmosphere atmosphere, airlight_Viewpo
         meets_ground ? ground_product / (airlight_safe_sqrt(ground_discriminant) - along) : exit_length;
     float surface_length = distance - begin;
     float length = max(min(min(exit_length, ground_length), surface_length), 0.0);
-    return airlight_AirRay(length > 0.0, meets_ground && ground_length <= surface_length, begin, length, altitude,
-                           along);
+    return airlight_AirRay(length > 0.0, meets_ground && ground_length <= surface_length, begin, length,
+                           altitude, along);
 }
 
 // Where a view ray is inside the air, and whether the ground sphere ends it.

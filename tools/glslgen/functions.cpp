@@ -158,6 +158,8 @@ std::vector<Line> hook_lines(const Program& program, const std::string& hook) {
         parameters += (parameters.empty() ? "" : ", ") + parameter.name;
     }
     std::vector<Line> lines = functor.comment;
+    lines.push_back(
+        {"", "// In GLSL, define the macro before this line, as the call of a function of your own.", 0});
     lines.push_back({"#ifndef " + found.glsl, "", 0});
     lines.push_back({"#define " + found.glsl + "(" + parameters + ") " + functor.body, "", 0});
     lines.push_back({"#endif", "", 0});

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "line_breaks.hpp"
+
 namespace glslgen {
 namespace {
 
@@ -174,7 +176,8 @@ std::vector<Line> lay_out(const Header& header, const Edits& edits, std::size_t 
     return Layout(header, edits).run(first, last);
 }
 
-std::string join(const std::vector<Line>& lines) {
+std::string join(const std::vector<Line>& unbroken) {
+    const std::vector<Line> lines = break_long_lines(unbroken);
     std::string text;
     std::size_t i = 0;
     while (i < lines.size()) {

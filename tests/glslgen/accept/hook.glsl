@@ -3,6 +3,7 @@
 #define AIRLIGHT_HOOK_GLSL
 
 // Hook: the share of sunlight that reaches `position`, in [0, 1].
+// In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_VISIBILITY
 #define AIRLIGHT_VISIBILITY(position) 1.0
 #endif

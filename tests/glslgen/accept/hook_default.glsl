@@ -3,6 +3,7 @@
 #define AIRLIGHT_HOOK_DEFAULT_GLSL
 
 // Hook: the share of light that a filter lets through.
+// In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_COLOUR_FILTER
 #define AIRLIGHT_COLOUR_FILTER(position, scale) ((position).z * 0.5 * (scale))
 #endif
