@@ -14,13 +14,8 @@ struct Surface {
     vec3 normal;
 };
 
-// The built-in dot may add in any order, this adds in C++'s.
-float inner(vec3 a, vec3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 vec3 unit(vec3 v) {
-    return v / sqrt(inner(v, v));
+    return v / sqrt(dot(v, v));
 }
 
 float mirrored_share(float cosine) {
@@ -31,14 +26,14 @@ float mirrored_share(float cosine) {
 float sun_glint(Surface surface, vec3 normal, vec3 to_eye, vec3 to_sun) {
     float a = surface.roughness * surface.roughness;
     vec3 half_way = unit(to_eye + to_sun);
-    float cosine = inner(normal, half_way);
+    float cosine = dot(normal, half_way);
     vec3 across = cross(normal, half_way);
-    float spread = a * a * cosine * cosine + inner(across, across);
+    float spread = a * a * cosine * cosine + dot(across, across);
     float distribution = a * a / (airlight_pi * spread * spread);
-    float n_eye = max(inner(normal, to_eye), 1e-3);
-    float n_sun = max(inner(normal, to_sun), 1e-3);
+    float n_eye = max(dot(normal, to_eye), 1e-3);
+    float n_sun = max(dot(normal, to_sun), 1e-3);
     float masking = 0.5 / (2.0 * n_eye * n_sun * (1.0 - a) + (n_eye + n_sun) * a);
-    return distribution * masking * mirrored_share(inner(to_sun, half_way));
+    return distribution * masking * mirrored_share(dot(to_sun, half_way));
 }
 
 vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface, vec3 position,
@@ -46,9 +41,9 @@ vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surfa
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
     airlight_Viewpoint here = airlight_viewpoint_from_surface(atmosphere.ground_radius, position, origin_up);
     vec3 normal = unit(surface.normal);
-    float mu_s = clamp(inner(here.up, frame.to_sun), -1.0, 1.0);
+    float mu_s = clamp(dot(here.up, frame.to_sun), -1.0, 1.0);
     vec3 sunlight = airlight_transmittance_to_space(atmosphere, here.altitude, mu_s) *
-                    max(inner(normal, frame.to_sun), 0.0);
+                    max(dot(normal, frame.to_sun), 0.0);
 
     vec3 sky = airlight_single_scattering_marched(atmosphere, here, normal, frame.to_sun,
                                                   airlight_no_surface(), frame.sky_steps)
@@ -57,24 +52,24 @@ vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surfa
     if (surface.roughness < 1.0) {
         float polish = min(1.5 * (1.0 - surface.roughness), 1.0);
         radiance += polish * (sunlight * sun_glint(surface, normal, -direction, frame.to_sun) +
-                              sky * mirrored_share(inner(normal, -direction)));
+                              sky * mirrored_share(dot(normal, -direction)));
     }
     return radiance;
 }
 
 float sun_disc(Frame frame, vec3 direction) {
-    if (inner(direction, frame.to_sun) <= 0.0) {
+    if (dot(direction, frame.to_sun) <= 0.0) {
         return 0.0;
     }
     vec3 across = cross(direction, frame.to_sun);
     float share =
-        (frame.disc_outside - sqrt(inner(across, across))) / (frame.disc_outside - frame.disc_inside);
+        (frame.disc_outside - sqrt(dot(across, across))) / (frame.disc_outside - frame.disc_inside);
     return clamp(share, 0.0, 1.0) / frame.disc_solid_angle;
 }
 
 vec3 pixel_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface, ivec2 pixel) {
     vec3 ray = pixel_ray(frame, pixel);
-    float ray_length = sqrt(inner(ray, ray));
+    float ray_length = sqrt(dot(ray, ray));
     vec3 direction = ray / ray_length;
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
     airlight_Viewpoint eye =

@@ -1,0 +1,154 @@
+// What the small pictures of the test deferred_frames must show. Rows count from the top.
+
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "support/image.hpp"
+
+namespace {
+
+const std::filesystem::path folder = PICTURE_FOLDER;
+
+class Layers {
+  public:
+    explicit Layers(const std::string& name) : image(support::read_exr(folder / (name + ".exr"))) {}
+
+    const std::vector<float>& channel(const std::string& name) const {
+        for (const support::ExrChannel& candidate : image.channels) {
+            if (candidate.name == name) {
+                return candidate.pixels;
+            }
+        }
+        throw std::runtime_error("no channel " + name);
+    }
+
+    float mean(const std::string& name, int first_row, int end_row) const {
+        const std::vector<float>& pixels = channel(name);
+        double sum = 0;
+        for (int i = first_row * image.width; i < end_row * image.width; ++i) {
+            sum += double(pixels[std::size_t(i)]);
+        }
+        return float(sum / ((end_row - first_row) * image.width));
+    }
+
+    /// The lowest row without a surface in the picture's middle column.
+    int horizon() const {
+        const std::vector<float>& depth = channel("depth.Z");
+        int row = 0;
+        while (row + 1 < image.height &&
+               std::isinf(depth[std::size_t((row + 1) * image.width + image.width / 2)])) {
+            ++row;
+        }
+        return row;
+    }
+
+    support::ExrImage image;
+};
+
+}  // namespace
+
+TEST_CASE("the sky at noon is blue, and darkest overhead") {
+    const Layers noon("ground_sun+60");
+    const int horizon = noon.horizon();
+    CHECK(noon.mean("radiance.B", 0, 4) > 2 * noon.mean("radiance.R", 0, 4));
+    CHECK(noon.mean("radiance.R", 0, 4) < noon.mean("radiance.R", horizon - 4, horizon));
+}
+
+TEST_CASE("the sky at sunset is red at the horizon and bluer above") {
+    for (const char* name : {"ground_sun+1", "ground_sun-4", "10km_sun-4"}) {
+        CAPTURE(name);
+        const Layers sunset(name);
+        const int horizon = sunset.horizon();
+        const float low =
+            sunset.mean("radiance.R", horizon - 2, horizon) / sunset.mean("radiance.B", horizon - 2, horizon);
+        const float high = sunset.mean("radiance.R", 0, 4) / sunset.mean("radiance.B", 0, 4);
+        CHECK(low > 2);
+        CHECK(low > 3 * high);
+    }
+}
+
+TEST_CASE("haze makes far ground bluer and brighter than near ground") {
+    const Layers view("10km_sun+60");
+    const int horizon = view.horizon();
+    const int height = view.image.height;
+    const float far = view.mean("radiance.B", horizon + 2, horizon + 6);
+    const float near = view.mean("radiance.B", height - 4, height);
+    CHECK(far > near);
+}
+
+TEST_CASE("space above the limb is black, and deeper in it no air shines") {
+    const Layers orbit("orbit_sun+60");
+    CHECK(orbit.mean("radiance.R", 0, 8) == 0);  // exact: rays that miss the air
+    CHECK(orbit.mean("radiance.B", 0, 8) == 0);
+    CHECK(orbit.mean("radiance.B", orbit.image.height - 8, orbit.image.height) > 0);
+}
+
+TEST_CASE("no sunlight reaches ground that the planet hides") {
+    const Layers night("10km_sun-19");
+    const int height = night.image.height;
+    CHECK(night.mean("radiance.R", height - 4, height) == 0);  // exact: in the planet's shadow
+}
+
+TEST_CASE("every pixel has either a surface with a unit normal, or none and infinite depth") {
+    for (const char* name : {"ground_sun+20", "valley_sun+20", "10km_sun+20", "orbit_sun+20"}) {
+        CAPTURE(name);
+        const Layers view(name);
+        const std::vector<float>& depth = view.channel("depth.Z");
+        int surfaces = 0;
+        for (std::size_t i = 0; i < depth.size(); ++i) {
+            const float x = view.channel("normal.X")[i];
+            const float y = view.channel("normal.Y")[i];
+            const float z = view.channel("normal.Z")[i];
+            const float length = std::sqrt(x * x + y * y + z * z);
+            if (std::isinf(depth[i])) {
+                CHECK(length == 0);
+                CHECK(view.channel("albedo.R")[i] == 0);
+            } else {
+                CHECK(depth[i] > 0);
+                CHECK(std::abs(length - 1) < 1e-3f);  // stored as halves: 3 roundoffs of 2^-11
+                CHECK(view.channel("albedo.R")[i] > 0);
+                ++surfaces;
+            }
+        }
+        CHECK(surfaces > 0);
+        CHECK(surfaces < int(depth.size()));
+    }
+}
+
+TEST_CASE("below the horizon no pixel misses the ground: the landscape's edge is closed") {
+    for (const char* name : {"ground_sun+20", "valley_sun+20", "10km_sun+20", "orbit_sun+20"}) {
+        CAPTURE(name);
+        const Layers view(name);
+        const std::vector<float>& depth = view.channel("depth.Z");
+        for (int x = 0; x < view.image.width; ++x) {
+            bool below = false;
+            for (int y = 0; y < view.image.height; ++y) {
+                const bool surface = !std::isinf(depth[std::size_t(y * view.image.width + x)]);
+                CHECK((surface || !below));
+                below = below || surface;
+            }
+        }
+    }
+}
+
+TEST_CASE("the files say their units") {
+    const Layers view("ground_sun+20");
+    for (const char* name : {"radianceUnits", "depthUnits", "normalUnits", "albedoUnits"}) {
+        CHECK(view.image.attributes.count(name) == 1);
+    }
+}
+
+TEST_CASE("each picture is there for people too, with its difference") {
+    for (const char* ending : {".png", ".difference.png"}) {
+        const support::Picture picture =
+            support::read_picture_png(folder / (std::string("valley_sun+60") + ending));
+        CHECK(picture.width == 96);
+        CHECK(picture.height == 54);
+    }
+}
