@@ -65,6 +65,19 @@ TEST_CASE_TEMPLATE("one_minus_exp agrees with 50 digits within 3 ulp", T, float,
     CHECK_WORST(worst, 3.0L + table_rounding<T>());  // the docstring's bound
 }
 
+TEST_CASE_TEMPLATE("one_minus_exp agrees with the C library's expm1 in long double over a dense sweep", T,
+                   float, double) {
+    Random random(14);
+    Worst worst;
+    for (int i = 0; i < 300000; ++i) {
+        const T x = T(i % 2 == 0 ? random.log_uniform(1e-6, 60) : random.uniform(0, 1));
+        worst.add(compare_ulp("one_minus_exp", {{"x", x}}, one_minus_exp(x),
+                              -std::expm1(-static_cast<long double>(x))));
+    }
+    worst.print("against expm1");
+    CHECK_WORST(worst, 3.0L);  // the docstring's bound
+}
+
 TEST_CASE_TEMPLATE("safe_sqrt is the square root, and 0 for what rounding pushed below", T, float, double,
                    long double) {
     CHECK(safe_sqrt(T(9)) == T(3));  // exact: square roots of squares are
