@@ -78,7 +78,7 @@ float airlight_no_surface() {
 //
 // Units:    x [1]; result [1].
 // Domain:   x >= 0, infinity included.
-// Accuracy: under 3 ulp in float, double and long double where exp is correctly rounded.
+// Accuracy: under 3 ulp (measured: 2.35 float, 2.35 double, 3e5 samples; 1.0 long double).
 // Errors:   none on the domain; x < 0 gives the (negative) value until exp overflows.
 // Source:   NIST Digital Library of Mathematical Functions, 4.39.1 (continued fraction of tanh).
 float airlight_one_minus_exp(float x) {
@@ -114,7 +114,7 @@ float airlight_safe_sqrt(float x) {
 //
 // Units:    a and b unit vectors; result [1], its length is the sine between them.
 // Domain:   unit vectors, to rounding.
-// Accuracy: 4 roundoffs of the result's length.
+// Accuracy: 2 roundoffs of the result's length (measured: 1.2; the textbook form 4e5).
 // Errors:   none; parallel and opposite vectors give 0.
 // Source:   bilinearity of the cross product.
 vec3 airlight_cross_of_unit_vectors(vec3 a, vec3 b) {
@@ -131,7 +131,7 @@ vec3 airlight_cross_of_unit_vectors(vec3 a, vec3 b) {
 // Units:    radiance and result in one unit.
 // Shape:    radiance is a spectrum, red, green, blue.
 // Domain:   every finite colour.
-// Accuracy: 3 ulp for colours >= 0.
+// Accuracy: 3 ulp for colours >= 0 (measured: 1.6).
 // Errors:   none.
 // Source:   ITU-R BT.709, item 3.2.
 float airlight_luminance(vec3 radiance) {
@@ -157,7 +157,7 @@ vec3 airlight_exposed(vec3 radiance, float exposure) {
 //
 // Units:    linear [1]; result [1].
 // Domain:   linear in [0, 1]; values outside are clamped to it.
-// Accuracy: that of pow.
+// Accuracy: under 6 ulp where pow is within 1 (measured: 2.4).
 // Errors:   none.
 // Source:   IEC 61966-2-1, sRGB transfer function.
 float airlight_srgb_channel_from_linear(float linear) {
@@ -169,7 +169,7 @@ float airlight_srgb_channel_from_linear(float linear) {
 //
 // Units:    encoded [1]; result [1].
 // Domain:   encoded in [0, 1]; values outside are clamped to it.
-// Accuracy: that of pow.
+// Accuracy: under 8 ulp where pow is within 1 (measured: 5.1).
 // Errors:   none.
 // Source:   IEC 61966-2-1, sRGB transfer function.
 float airlight_linear_channel_from_srgb(float encoded) {
@@ -181,7 +181,7 @@ float airlight_linear_channel_from_srgb(float encoded) {
 //
 // Units:    linear [1]; result [1].
 // Domain:   channels in [0, 1]; values outside are clamped to it.
-// Accuracy: that of pow.
+// Accuracy: under 6 ulp where pow is within 1 (measured: 2.4).
 // Errors:   none.
 // Source:   IEC 61966-2-1, sRGB transfer function.
 vec3 airlight_srgb_from_linear(vec3 linear) {
@@ -193,7 +193,7 @@ vec3 airlight_srgb_from_linear(vec3 linear) {
 //
 // Units:    encoded [1]; result [1].
 // Domain:   channels in [0, 1]; values outside are clamped to it.
-// Accuracy: that of pow.
+// Accuracy: under 8 ulp where pow is within 1 (measured: 5.1).
 // Errors:   none.
 // Source:   IEC 61966-2-1, sRGB transfer function.
 vec3 airlight_linear_from_srgb(vec3 encoded) {
@@ -209,7 +209,7 @@ vec3 airlight_linear_from_srgb(vec3 encoded) {
 //
 // Units:    altitude and scale_height in one length unit [L]; result [1].
 // Domain:   scale_height >= 0; every altitude, below the ground it counts as 0.
-// Accuracy: exp's own error plus one roundoff times altitude / scale_height.
+// Accuracy: 2 roundoffs times 1 + 2 altitude / scale_height (measured: 0.5 float, 0.9 long double).
 // Errors:   none; a layer of scale height 0 holds nothing and gives 0.
 // Source:   the barometric formula at constant temperature.
 float airlight_exponential_density(float altitude, float scale_height) {
@@ -222,7 +222,7 @@ float airlight_exponential_density(float altitude, float scale_height) {
 //
 // Units:    altitude, centre and half_width in one length unit [L]; result [1].
 // Domain:   half_width >= 0; every altitude, below the ground it counts as 0.
-// Accuracy: 2 roundoffs of 1 plus those of altitude - centre over half_width.
+// Accuracy: 2 roundoffs times 1 + (altitude + centre) / half_width (measured: 0.1).
 // Errors:   none; a layer of half width 0 holds nothing and gives 0.
 // Source:   Bruneton, Precomputed Atmospheric Scattering (2017), ozone profile of demo.cc.
 float airlight_tent_density(float altitude, float centre, float half_width) {
@@ -236,7 +236,7 @@ float airlight_tent_density(float altitude, float centre, float half_width) {
 //
 // Units:    altitude, centre and half_width in one length unit [L]; result [1].
 // Domain:   half_width >= 0; every altitude, below the ground it counts as 0.
-// Accuracy: 4 ulp plus the roundoff of altitude - centre.
+// Accuracy: 4 roundoffs times the condition |f| + sum |df/dx| |x| (measured: 0.5).
 // Errors:   none; a layer of half width 0 holds nothing and gives 0.
 // Source:   Leenman, Atmospheric scattering explained (2021), ozone profile.
 float airlight_lorentzian_density(float altitude, float centre, float half_width) {
@@ -267,7 +267,7 @@ float airlight_isotropic_phase() {
 //
 // Units:    cos_theta [1]; result [1/sr], integrates to 1 over the sphere.
 // Domain:   cos_theta in [-1, 1]; 1 is forward (light keeps its direction).
-// Accuracy: under 2 ulp.
+// Accuracy: under 2 ulp (measured: 1.61 float, 1.50 double, 3e5 samples).
 // Errors:   none; outside the domain it evaluates the same polynomial.
 // Source:   Bruneton, Precomputed Atmospheric Scattering (2017), functions.glsl. Leaves out
 //           air's depolarisation, which moves it by 1.4 %.
@@ -299,7 +299,8 @@ float airlight_henyey_greenstein_denominator(float cos_theta, float g) {
 //
 // Units:    cos_theta and g [1]; result [1/sr], integrates to 1 over the sphere.
 // Domain:   cos_theta in [-1, 1], 1 is forward; g in (-1, 1) is the mean cosine.
-// Accuracy: under 8 ulp plus 1.5 times that of the denominator.
+// Accuracy: 8 roundoffs times the condition |p| + sum |dp/dx| |x| (measured: 5.8 float, 5.1 double,
+//           3e5 samples).
 // Errors:   g = 1 or -1 gives 0 off the peak and divides zero by zero in it.
 // Source:   Jendersie and d'Eon, An Approximate Mie Scattering Function for Fog and Cloud
 //           Rendering (2023), as implemented in webgpu-sky-atmosphere.
@@ -316,7 +317,8 @@ float airlight_henyey_greenstein_phase(float cos_theta, float g) {
 //
 // Units:    cos_theta and g [1]; result [1/sr], integrates to 1 over the sphere.
 // Domain:   cos_theta in [-1, 1], 1 is forward; g in (-1, 1).
-// Accuracy: under 10 ulp plus 1.5 times that of the denominator.
+// Accuracy: 8 roundoffs times the condition |p| + sum |dp/dx| |x| (measured: 6.0 float, 5.2 double,
+//           3e5 samples).
 // Errors:   g = 1 or -1 gives 0 off the peak and divides zero by zero in it.
 // Source:   Bruneton, Precomputed Atmospheric Scattering (2017), functions.glsl.
 float airlight_cornette_shanks_phase(float cos_theta, float g) {
@@ -333,7 +335,7 @@ float airlight_cornette_shanks_phase(float cos_theta, float g) {
 //
 // Units:    cos_theta and k [1]; result [1/sr], integrates to 1 over the sphere.
 // Domain:   cos_theta in [-1, 1], 1 is forward; k in (-1, 1).
-// Accuracy: under 8 ulp plus twice the roundoff of cos_theta near the peak.
+// Accuracy: 6 roundoffs times the condition |p| + sum |dp/dx| |x| (measured: 4.8, 3e5 samples).
 // Errors:   k = 1 or -1 gives 0 off the peak and divides zero by zero in it.
 // Source:   Blasi, Le Saec and Schlick, A rendering algorithm for discrete volume density
 //           objects (1993), with the sign of forward light as in the rest of this header.
@@ -351,7 +353,8 @@ float airlight_schlick_phase(float cos_theta, float k) {
 //
 // Units:    cos_theta, g and alpha [1]; result [1/sr], integrates to 1 over the sphere.
 // Domain:   cos_theta in [-1, 1], 1 is forward; g in (-1, 1); alpha >= 0.
-// Accuracy: under 12 ulp plus 1.5 times that of the denominator.
+// Accuracy: 10 roundoffs times the condition |p| + sum |dp/dx| |x| (measured: 8.4 float, 7.0 double,
+//           3e5 samples).
 // Errors:   g = 1 or -1 gives 0 off the peak and divides zero by zero in it.
 // Source:   Jendersie and d'Eon, An Approximate Mie Scattering Function for Fog and Cloud
 //           Rendering (2023), as implemented in webgpu-sky-atmosphere.
@@ -368,8 +371,8 @@ float airlight_draine_phase(float cos_theta, float g, float alpha) {
 // Units:    cos_theta [1]; droplet_diameter_um [um]; result [1/sr], integrates to 1 over the sphere.
 // Domain:   cos_theta in [-1, 1], 1 is forward; droplet diameters from 5 to 50 um, others are
 //           clamped to these ends.
-// Accuracy: the fit's own error against Mie theory is the authors'; rounding under 300 ulp of
-//           the four exponentials' arguments in the peak.
+// Accuracy: the fit's own error against Mie theory is the authors'; rounding 40 roundoffs times the
+//           condition |p| + sum |dp/dx| |x| (measured: 11.5), because g_hg comes within 0.002 of 1.
 // Errors:   none.
 // Source:   Jendersie and d'Eon, An Approximate Mie Scattering Function for Fog and Cloud
 //           Rendering (2023), equations 4 to 7, as implemented in webgpu-sky-atmosphere.
@@ -401,7 +404,8 @@ struct airlight_RaySphereHit {
 // Domain:   radius > 0; altitude >= -radius (negative: inside); mu in [-1, 1],
 //           the cosine between the ray and the outward vertical.
 // Accuracy: the exact answer for inputs moved by at most 3 unit roundoffs, where the
-//           half chord is above a thousandth of the radius.
+//           half chord is above a thousandth of the radius (measured: 1.3 float, 0.9 double);
+//           in float no wrong decision in 2e5 rays from 1 m to 1e9 m.
 // Errors:   a tangent ray counts as a hit; mu outside the domain or any NaN
 //           gives hit = true with NaN distances, so a caller's bug stays visible.
 // Source:   roots without cancellation, Press et al., Numerical Recipes 3rd ed.
@@ -441,7 +445,7 @@ const float airlight_optical_range_contrast = 0.05;
 //
 // Units:    depolarisation_ratio d [1]; result [1], 1 for d = 0.
 // Domain:   depolarisation_ratio in [0, 6/7).
-// Accuracy: under 4 ulp for d <= 0.1.
+// Accuracy: under 4 ulp for d <= 0.1 (measured: 0.93).
 // Errors:   d = 6/7 divides by zero.
 // Source:   Bodhaine et al., On Rayleigh optical depth calculations (1999), equation 5.
 float airlight_king_factor(float depolarisation_ratio) {
@@ -456,7 +460,8 @@ float airlight_king_factor(float depolarisation_ratio) {
 //
 // Units:    refractivity [1]; number_density N [1/L^3]; wavelength [L]; result [1/L].
 // Domain:   number_density > 0, wavelength > 0; refractivity >= 0 (0: no scattering).
-// Accuracy: under 8 ulp.
+// Accuracy: under 8 ulp (measured: 5.1 float, 2.9 double, 4.0 long double). Reading (n^2 + 2) / 3 as 1
+//           makes air 0.04 % too strong.
 // Errors:   a number_density or wavelength of 0 divides by zero.
 // Source:   Bodhaine et al., On Rayleigh optical depth calculations (1999), with (n^2 + 2) / 3
 //           read as 1; the squared form of Elek, Rendering parametrizable planetary
@@ -476,7 +481,7 @@ float airlight_rayleigh_coefficient(float refractivity, float number_density, fl
 //
 // Units:    scattering and result [1/L], spectra; single_scattering_albedo [1].
 // Domain:   scattering >= 0; single_scattering_albedo in (0, 1]; 0.9 is common for haze.
-// Accuracy: under 3 ulp plus the roundoff of 1 - albedo.
+// Accuracy: 3 roundoffs of absorption + scattering (measured: 2.0).
 // Errors:   an albedo of 0 divides by zero.
 // Source:   definition of the single-scattering albedo, scattering / extinction.
 vec3 airlight_absorption_from_albedo(vec3 scattering, float single_scattering_albedo) {
@@ -489,7 +494,7 @@ vec3 airlight_absorption_from_albedo(vec3 scattering, float single_scattering_al
 //
 // Units:    visibility [L]; contrast [1]; result [1/L].
 // Domain:   visibility > 0; contrast in (0, 1], koschmieder_contrast or optical_range_contrast.
-// Accuracy: the error of log plus 1 ulp.
+// Accuracy: under 2 ulp where log is within 1 (measured: 1.03).
 // Errors:   visibility 0 divides by zero.
 // Source:   Koschmieder (1924), as used in meteorology: 3.912 / V and 2.996 / V.
 float airlight_extinction_from_visibility(float visibility, float contrast) {
@@ -502,7 +507,7 @@ float airlight_extinction_from_visibility(float visibility, float contrast) {
 //
 // Units:    wavelength and reference_wavelength in one length unit [L]; exponent [1]; result [1].
 // Domain:   wavelengths > 0; any exponent, 1.3 for fine haze, near 0 for dust and cloud.
-// Accuracy: the error of pow.
+// Accuracy: 3 roundoffs times 1 + |exponent| where pow is within 1 ulp (measured: 1.24).
 // Errors:   a reference_wavelength of 0 divides by zero.
 // Source:   Angstrom (1929), in the form used for aerosol optical depth.
 float airlight_angstrom_ratio(float wavelength, float reference_wavelength, float exponent) {
@@ -702,7 +707,8 @@ struct airlight_Viewpoint {
 //
 // Units:    ground_radius and position in one length unit [L].
 // Domain:   ground_radius > 0; every position whose square is finite.
-// Accuracy: altitude to 2 roundoffs of the distance from the centre; up to 3 roundoffs.
+// Accuracy: altitude to 2 roundoffs of the distance from the centre (measured: 1.7); up to 3
+//           roundoffs (measured: 1.4).
 // Errors:   at the centre itself up is +z.
 // Source:   none.
 airlight_Viewpoint airlight_viewpoint_from_centre(float ground_radius, vec3 position) {
@@ -722,8 +728,9 @@ airlight_Viewpoint airlight_viewpoint_from_centre(float ground_radius, vec3 posi
 //
 // Units:    ground_radius and position in one length unit [L]; up_at_origin a unit vector.
 // Domain:   ground_radius > 0; every position whose square is finite.
-// Accuracy: altitude to 4 roundoffs of |p| + |p|^2 / 2R, plus the error of up_at_origin's length
-//           times the height; up to 4 roundoffs.
+// Accuracy: altitude to 4 roundoffs of |p| + |p|^2 / 2R (measured: 1.6), plus the error of
+//           up_at_origin's length times the height; up to 4 roundoffs (measured: 1.4). On Earth in
+//           float 2e-5 m up to 100 m high and 10 km out, 0.002 m up to 10 km high and 100 km out.
 // Errors:   at the planet's centre up is up_at_origin.
 // Source:   difference of squares, worked out in docs/theory/altitude.md.
 airlight_Viewpoint airlight_viewpoint_from_surface(float ground_radius, vec3 position, vec3 up_at_origin) {
@@ -768,7 +775,8 @@ struct airlight_AirRay {
 //
 // Units:    all in one length unit [L]; along = (ground_radius + altitude) mu.
 // Domain:   ground_radius > 0; altitude >= -ground_radius; any distance whose square is finite.
-// Accuracy: 3 roundoffs of (distance |2 along + distance| + altitude (2 R + altitude)) / 2R.
+// Accuracy: 3 roundoffs of (distance |2 along + distance| + altitude (2 R + altitude)) / 2R; on
+//           Earth in float 0.002 m up to 10 km high.
 // Errors:   none; where rounding puts the point past the centre it counts as the centre.
 // Source:   difference of squares, worked out in docs/theory/altitude.md.
 float airlight_altitude_along_ray(float ground_radius, float altitude, float along, float distance) {
@@ -784,7 +792,7 @@ float airlight_altitude_along_ray(float ground_radius, float altitude, float alo
 // Units:    lengths in the atmosphere's unit [L]; direction a unit vector.
 // Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none.
 // Accuracy: in float no wrong decision (in the air, reaches the ground) for eyes from 1 m to 1e8 m,
-//           other than those that rounding the inputs could flip.
+//           other than those that rounding the inputs could flip (measured: 0 of 1.69e6).
 // Errors:   a tangent ray misses the air and misses the ground.
 // Source:   docs/theory/altitude.md; roots without cancellation as in intersect_ray_sphere.
 airlight_AirRay airlight_air_ray(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
@@ -833,7 +841,7 @@ airlight_AirRay airlight_air_ray(airlight_Atmosphere atmosphere, airlight_Viewpo
 //
 // Units:    lengths in the atmosphere's unit [L]; direction a unit vector.
 // Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none.
-// Accuracy: that of air_ray.
+// Accuracy: that of air_ray; begin and end to 4 roundoffs times condition (measured: 1.3).
 // Errors:   an eye below the ground counts as standing on it; a tangent ray misses.
 // Source:   docs/theory/altitude.md.
 airlight_ViewPath airlight_view_path(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,

@@ -17,7 +17,8 @@ struct airlight_Viewpoint {
 //
 // Units:    ground_radius and position in one length unit [L].
 // Domain:   ground_radius > 0; every position whose square is finite.
-// Accuracy: altitude to 2 roundoffs of the distance from the centre; up to 3 roundoffs.
+// Accuracy: altitude to 2 roundoffs of the distance from the centre (measured: 1.7); up to 3
+//           roundoffs (measured: 1.4).
 // Errors:   at the centre itself up is +z.
 // Source:   none.
 airlight_Viewpoint airlight_viewpoint_from_centre(float ground_radius, vec3 position) {
@@ -37,8 +38,9 @@ airlight_Viewpoint airlight_viewpoint_from_centre(float ground_radius, vec3 posi
 //
 // Units:    ground_radius and position in one length unit [L]; up_at_origin a unit vector.
 // Domain:   ground_radius > 0; every position whose square is finite.
-// Accuracy: altitude to 4 roundoffs of |p| + |p|^2 / 2R, plus the error of up_at_origin's length
-//           times the height; up to 4 roundoffs.
+// Accuracy: altitude to 4 roundoffs of |p| + |p|^2 / 2R (measured: 1.6), plus the error of
+//           up_at_origin's length times the height; up to 4 roundoffs (measured: 1.4). On Earth in
+//           float 2e-5 m up to 100 m high and 10 km out, 0.002 m up to 10 km high and 100 km out.
 // Errors:   at the planet's centre up is up_at_origin.
 // Source:   difference of squares, worked out in docs/theory/altitude.md.
 airlight_Viewpoint airlight_viewpoint_from_surface(float ground_radius, vec3 position, vec3 up_at_origin) {

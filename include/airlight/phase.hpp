@@ -26,7 +26,7 @@ constexpr T isotropic_phase() {
 ///
 /// Units:    cos_theta [1]; result [1/sr], integrates to 1 over the sphere.
 /// Domain:   cos_theta in [-1, 1]; 1 is forward (light keeps its direction).
-/// Accuracy: under 2 ulp.
+/// Accuracy: under 2 ulp (measured: 1.61 float, 1.50 double, 3e5 samples).
 /// Errors:   none; outside the domain it evaluates the same polynomial.
 /// Source:   Bruneton, Precomputed Atmospheric Scattering (2017), functions.glsl. Leaves out
 ///           air's depolarisation, which moves it by 1.4 %.
@@ -60,7 +60,8 @@ constexpr T henyey_greenstein_denominator(T cos_theta, T g) {
 ///
 /// Units:    cos_theta and g [1]; result [1/sr], integrates to 1 over the sphere.
 /// Domain:   cos_theta in [-1, 1], 1 is forward; g in (-1, 1) is the mean cosine.
-/// Accuracy: under 8 ulp plus 1.5 times that of the denominator.
+/// Accuracy: 8 roundoffs times the condition |p| + sum |dp/dx| |x| (measured: 5.8 float, 5.1 double,
+///           3e5 samples).
 /// Errors:   g = 1 or -1 gives 0 off the peak and divides zero by zero in it.
 /// Source:   Jendersie and d'Eon, An Approximate Mie Scattering Function for Fog and Cloud
 ///           Rendering (2023), as implemented in webgpu-sky-atmosphere.
@@ -78,7 +79,8 @@ T henyey_greenstein_phase(T cos_theta, T g) {
 ///
 /// Units:    cos_theta and g [1]; result [1/sr], integrates to 1 over the sphere.
 /// Domain:   cos_theta in [-1, 1], 1 is forward; g in (-1, 1).
-/// Accuracy: under 10 ulp plus 1.5 times that of the denominator.
+/// Accuracy: 8 roundoffs times the condition |p| + sum |dp/dx| |x| (measured: 6.0 float, 5.2 double,
+///           3e5 samples).
 /// Errors:   g = 1 or -1 gives 0 off the peak and divides zero by zero in it.
 /// Source:   Bruneton, Precomputed Atmospheric Scattering (2017), functions.glsl.
 template <typename T>
@@ -96,7 +98,7 @@ T cornette_shanks_phase(T cos_theta, T g) {
 ///
 /// Units:    cos_theta and k [1]; result [1/sr], integrates to 1 over the sphere.
 /// Domain:   cos_theta in [-1, 1], 1 is forward; k in (-1, 1).
-/// Accuracy: under 8 ulp plus twice the roundoff of cos_theta near the peak.
+/// Accuracy: 6 roundoffs times the condition |p| + sum |dp/dx| |x| (measured: 4.8, 3e5 samples).
 /// Errors:   k = 1 or -1 gives 0 off the peak and divides zero by zero in it.
 /// Source:   Blasi, Le Saec and Schlick, A rendering algorithm for discrete volume density
 ///           objects (1993), with the sign of forward light as in the rest of this header.
@@ -115,7 +117,8 @@ T schlick_phase(T cos_theta, T k) {
 ///
 /// Units:    cos_theta, g and alpha [1]; result [1/sr], integrates to 1 over the sphere.
 /// Domain:   cos_theta in [-1, 1], 1 is forward; g in (-1, 1); alpha >= 0.
-/// Accuracy: under 12 ulp plus 1.5 times that of the denominator.
+/// Accuracy: 10 roundoffs times the condition |p| + sum |dp/dx| |x| (measured: 8.4 float, 7.0 double,
+///           3e5 samples).
 /// Errors:   g = 1 or -1 gives 0 off the peak and divides zero by zero in it.
 /// Source:   Jendersie and d'Eon, An Approximate Mie Scattering Function for Fog and Cloud
 ///           Rendering (2023), as implemented in webgpu-sky-atmosphere.
@@ -133,8 +136,8 @@ T draine_phase(T cos_theta, T g, T alpha) {
 /// Units:    cos_theta [1]; droplet_diameter_um [um]; result [1/sr], integrates to 1 over the sphere.
 /// Domain:   cos_theta in [-1, 1], 1 is forward; droplet diameters from 5 to 50 um, others are
 ///           clamped to these ends.
-/// Accuracy: the fit's own error against Mie theory is the authors'; rounding under 300 ulp of
-///           the four exponentials' arguments in the peak.
+/// Accuracy: the fit's own error against Mie theory is the authors'; rounding 40 roundoffs times the
+///           condition |p| + sum |dp/dx| |x| (measured: 11.5), because g_hg comes within 0.002 of 1.
 /// Errors:   none.
 /// Source:   Jendersie and d'Eon, An Approximate Mie Scattering Function for Fog and Cloud
 ///           Rendering (2023), equations 4 to 7, as implemented in webgpu-sky-atmosphere.

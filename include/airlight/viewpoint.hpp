@@ -19,7 +19,8 @@ struct Viewpoint {
 ///
 /// Units:    ground_radius and position in one length unit [L].
 /// Domain:   ground_radius > 0; every position whose square is finite.
-/// Accuracy: altitude to 2 roundoffs of the distance from the centre; up to 3 roundoffs.
+/// Accuracy: altitude to 2 roundoffs of the distance from the centre (measured: 1.7); up to 3
+///           roundoffs (measured: 1.4).
 /// Errors:   at the centre itself up is +z.
 /// Source:   none.
 template <typename T>
@@ -40,8 +41,9 @@ Viewpoint<T> viewpoint_from_centre(T ground_radius, const vec3<T>& position) {
 ///
 /// Units:    ground_radius and position in one length unit [L]; up_at_origin a unit vector.
 /// Domain:   ground_radius > 0; every position whose square is finite.
-/// Accuracy: altitude to 4 roundoffs of |p| + |p|^2 / 2R, plus the error of up_at_origin's length
-///           times the height; up to 4 roundoffs.
+/// Accuracy: altitude to 4 roundoffs of |p| + |p|^2 / 2R (measured: 1.6), plus the error of
+///           up_at_origin's length times the height; up to 4 roundoffs (measured: 1.4). On Earth in
+///           float 2e-5 m up to 100 m high and 10 km out, 0.002 m up to 10 km high and 100 km out.
 /// Errors:   at the planet's centre up is up_at_origin.
 /// Source:   difference of squares, worked out in docs/theory/altitude.md.
 template <typename T>

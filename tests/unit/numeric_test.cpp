@@ -141,7 +141,7 @@ TEST_CASE_TEMPLATE("cross_of_unit_vectors agrees with 50 digits, nearly parallel
     }
     worst.print("against 50 digits");
     textbook.print("against 50 digits, for comparison");
-    CHECK_WORST(worst, 4.0L);  // the docstring's bound, in roundoffs of the result's length
+    CHECK_WORST(worst, 2.0L);  // the docstring's bound, in roundoffs of the result's length
 }
 
 TEST_SUITE_END();
