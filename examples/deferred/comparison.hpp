@@ -10,13 +10,13 @@ namespace deferred {
 struct Comparison {
     double floor;       ///< differences are relative to the CPU's value, or to this where that is less
     double largest;     ///< relative difference of the worst channel of the worst pixel
-    double percentile;  ///< 99.9 of 100 channel values differ by less
+    double percentile;  ///< 99.9 % of the channel values differ by less
     int x;              ///< of the worst pixel, from the left
     int y;              ///< of the worst pixel, from the top
     int channel;        ///< of the worst pixel: 0 red, 1 green, 2 blue
     float gpu;          ///< the worst channel's values
     float cpu;
-    std::vector<std::uint8_t> picture;  ///< 3 bytes per pixel, the lower row first; see difference_color
+    std::vector<std::uint8_t> picture;  ///< differences as colours: 3 bytes per pixel, the lower row first
 };
 
 /// Compares 3 channels per pixel, the lower row first. The floor is a thousandth of the mean of the channels,

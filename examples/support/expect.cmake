@@ -11,9 +11,16 @@ file(MAKE_DIRECTORY "${FOLDER}")
 if(TRUNCATE)
     file(SIZE "${TRUNCATE}" size)
     math(EXPR half "${size} / 2")
-    execute_process(COMMAND head -c ${half} "${TRUNCATE}" OUTPUT_FILE "${FOLDER}.truncated" COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(
+        COMMAND head -c ${half} "${TRUNCATE}" OUTPUT_FILE "${FOLDER}.truncated" COMMAND_ERROR_IS_FATAL ANY
+    )
 endif()
-execute_process(COMMAND "${PROGRAM}" ${ARGUMENTS} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE error)
+execute_process(
+    COMMAND "${PROGRAM}" ${ARGUMENTS}
+    RESULT_VARIABLE status
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE error
+)
 message("${output}${error}")
 if(NOT status EQUAL STATUS)
     message(FATAL_ERROR "exit status ${status}, expected ${STATUS}")

@@ -1,6 +1,6 @@
 #include "support/gl_objects.hpp"
 
-#include <regex>
+#include <sstream>
 
 #include "support/error.hpp"
 
@@ -15,17 +15,16 @@ using Shader = GlName<delete_shader>;
 
 /// "2:17(5): error" or "2(17) : error" becomes "viewpoint.glsl:17...", for the logs of Mesa and NVIDIA.
 std::string with_file_names(const std::string& log, const std::vector<std::string>& names) {
-    const std::regex place(R"((^|\n)(\d+)(?=[:(]))");
     std::string text;
-    std::string rest = log;
-    std::smatch match;
-    while (std::regex_search(rest, match, place)) {
-        const std::size_t number = std::stoul(match[2]);
-        text +=
-            match.prefix().str() + match[1].str() + (number < names.size() ? names[number] : match[2].str());
-        rest = match.suffix();
+    std::istringstream lines(log);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t digits = line.find_first_not_of("0123456789");
+        const bool is_place = digits != std::string::npos && digits > 0 && digits < 6 &&
+                              (line[digits] == ':' || line[digits] == '(');
+        const std::size_t number = is_place ? std::stoul(line) : names.size();
+        text += (number < names.size() ? names[number] + line.substr(digits) : line) + "\n";
     }
-    return text + rest;
+    return text;
 }
 
 }  // namespace

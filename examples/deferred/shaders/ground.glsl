@@ -63,7 +63,8 @@ Ground ground_at(vec3 position, vec3 up, float height, float flatness, float foo
     vec3 soil = vec3(0.19, 0.155, 0.115);
     vec3 water = vec3(0.012, 0.028, 0.045);
     float open = smoothstep(-0.4, 0.5, 0.9 * fine + coarse + 0.2 - height / 1500.0);
-    float bare = smoothstep(0.08, 0.25, 1.0 - flatness + 0.05 * fine) + 0.4 * smoothstep(0.2, 1.2, fine + coarse);
+    float bare =
+        smoothstep(0.08, 0.25, 1.0 - flatness + 0.05 * fine) + 0.4 * smoothstep(0.2, 1.2, fine + coarse);
     vec3 albedo = mix(mix(forest, meadow, open), soil, clamp(bare, 0.0, 1.0));
     albedo *= clamp(1.0 + 0.5 * fine, 0.5, 1.5);
 

@@ -28,7 +28,8 @@ void main() {
     vec3 up = airlight_viewpoint_from_surface(ground_radius, from_centre, origin_up).up;
     float slant = max(abs(dot(up, direction)), 0.05);
     float footprint = path.end * length(frame.ray_up) / slant;
-    Ground ground = ground_at(from_centre, up, 0.0, 1.0, footprint, ground_radius, atmosphere.ground_albedo, vegetated);
+    Ground ground =
+        ground_at(from_centre, up, 0.0, 1.0, footprint, ground_radius, atmosphere.ground_albedo, vegetated);
     out_albedo = vec4(ground.albedo, ground.roughness);
     out_normal = vec4(up, 0.0);
     gl_FragDepth = frame.near_distance * ray_length / path.end;

@@ -20,7 +20,8 @@ void main() {
     vec3 n = normalize(normal);
     float slant = max(abs(dot(n, normalize(position))), 0.05);
     float footprint = length(position) * length(frame.ray_up) / slant;
-    Ground ground = ground_at(from_centre, up, height, dot(n, up), footprint, ground_radius, bare_albedo, vegetated);
+    Ground ground =
+        ground_at(from_centre, up, height, dot(n, up), footprint, ground_radius, bare_albedo, vegetated);
     out_albedo = vec4(ground.albedo, ground.roughness);
     out_normal = vec4(n, 0.0);
     // What the hardware would store too, but it may lose digits on the way through [-1, 1].
