@@ -376,6 +376,16 @@ TEST_CASE_TEMPLATE("below the ground the air is as dense as at the ground, and n
     }
 }
 
+TEST_CASE_TEMPLATE("a cosine that rounding pushed past 1 counts as 1", T, float, double, long double) {
+    const T past = T(1) + std::numeric_limits<T>::epsilon();
+    for (const T sign : {T(1), T(-1)}) {
+        const Column<T> got = column_marched<T>(earth<T>(), T(5000), sign * past, T(4000), 8);
+        const Column<T> vertical = column_marched<T>(earth<T>(), T(5000), sign, T(4000), 8);
+        CHECK(got.rayleigh == vertical.rayleigh);  // exact: the same cosine after clamping
+        CHECK(got.mie == vertical.mie);
+    }
+}
+
 TEST_CASE_TEMPLATE("no distance, no steps, no air, no column", T, float, double, long double) {
     const auto check_nothing = [](const Column<T>& air) {
         CHECK(air.rayleigh == T(0));

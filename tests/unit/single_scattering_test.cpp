@@ -431,6 +431,21 @@ TEST_CASE_TEMPLATE("no way, no air, no sunlight lost: radiance 0, transmittance 
         march<DefaultScene>(vacuum, View<T>{standing(T(2)), slope<T>(30), slope<T>(40), no_surface<T>()}, 8));
 }
 
+TEST_CASE_TEMPLATE("an eye below the ground sees what an eye standing on it sees", T, float, double,
+                   long double) {
+    // Our reading where sources clamp the height in one place and mirror it in another.
+    for (const T depth : {T(1e-3L), T(100), T(1e5L), earth<T>().ground_radius}) {
+        for (const double elevation : {90.0, 20.0, 1.0}) {
+            for (const vec3<T>& sun : {slope<T>(50, 20), slope<T>(2, 100), slope<T>(-4)}) {
+                const View<T> below = {standing(-depth), slope<T>(elevation), sun, no_surface<T>()};
+                const View<T> on = {standing(T(0)), slope<T>(elevation), sun, no_surface<T>()};
+                // Exact: the same altitude after clamping.
+                check_same(march<DefaultScene>(earth<T>(), below, 8), march<DefaultScene>(earth<T>(), on, 8));
+            }
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("the sky changes smoothly where the eye leaves the air", T, float, double, long double) {
     const T top = earth<T>().top_altitude;
     const vec3<T> down = slope<T>(-60);
