@@ -9,8 +9,6 @@
 namespace glslgen {
 namespace {
 
-constexpr std::size_t widest_line = 110;
-
 void check_has_comment(const Site& site) {
     if (site.comments.doc.empty() && site.comments.trailing.empty() && !site.comments.in_group) {
         throw Refused(site.declaration.line,
@@ -46,17 +44,6 @@ std::string int_value(const Program& program, const std::string& scope, TokenStr
         }
     }
     tokens.refuse("'" + tokens.text() + "' is neither an int literal nor a named int of this namespace");
-}
-
-std::string joined(const std::vector<Line>& lines) {
-    std::string text;
-    for (const Line& line : lines) {
-        const std::size_t start = line.code.find_first_not_of(' ');
-        if (start != std::string::npos) {
-            text += (text.empty() || text.back() == '(' ? "" : " ") + line.code.substr(start);
-        }
-    }
-    return text;
 }
 
 /// Macros of the choices that a flag may be set to: the named ints that begin like its default.
@@ -123,7 +110,7 @@ std::vector<Line> read_constant(const Site& site) {
     tokens.take(";", "a constant");
 
     const TokenRange range = range_of(site);
-    constant.value = joined(lay_out(site.header, site.edits, equals + 1, range.last - 1));
+    constant.value = joined_code(lay_out(site.header, site.edits, equals + 1, range.last - 1));
     site.program.constants[constant.name] = constant;
     site.program.constant_order.push_back(constant.name);
     return lay_out(site.header, site.edits, range.first, range.last);

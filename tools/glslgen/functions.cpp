@@ -73,11 +73,7 @@ std::string macro_body(const Site& site, const MemberDeclaration& call, Function
         }
         kept += site.edits[i].kind != Edit::Kind::drop ? 1 : 0;
     }
-    std::string text;
-    for (const Line& line : lay_out(site.header, site.edits, first, last)) {
-        const std::size_t start = line.code.find_first_not_of(' ');
-        text += (text.empty() ? "" : " ") + (start == std::string::npos ? "" : line.code.substr(start));
-    }
+    const std::string text = joined_code(lay_out(site.header, site.edits, first, last));
     return kept > 1 ? "(" + text + ")" : text;
 }
 

@@ -8,7 +8,6 @@ namespace glslgen {
 namespace {
 
 constexpr unsigned indent_width = 4;
-constexpr std::size_t widest_line = 110;
 
 /// A token that was written: where it stood, and where it stands now (columns counted from 1).
 struct Placed {
@@ -174,6 +173,17 @@ std::string glsl_comment(const std::string& text) {
 
 std::vector<Line> lay_out(const Header& header, const Edits& edits, std::size_t first, std::size_t last) {
     return Layout(header, edits).run(first, last);
+}
+
+std::string joined_code(const std::vector<Line>& lines) {
+    std::string text;
+    for (const Line& line : lines) {
+        if (!is_blank(line.code)) {
+            text += text.empty() || text.back() == '(' ? "" : " ";
+            text += line.code.substr(line.code.find_first_not_of(' '));
+        }
+    }
+    return text;
 }
 
 std::string join(const std::vector<Line>& unbroken) {

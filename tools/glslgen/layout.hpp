@@ -22,6 +22,9 @@ struct Edit {
 /// One edit per token of a header.
 using Edits = std::vector<Edit>;
 
+/// Where lines are broken, as in the headers.
+inline constexpr std::size_t widest_line = 110;
+
 /// A line of GLSL. Trailing comments stay apart from the code until all lines are known.
 struct Line {
     std::string code;
@@ -35,6 +38,9 @@ std::string glsl_comment(const std::string& text);
 /// The tokens [first, last) with their edits, as lines. Keeps the author's line breaks, blank lines and
 /// indentation; what stood under a token of an earlier line still stands under it.
 std::vector<Line> lay_out(const Header& header, const Edits& edits, std::size_t first, std::size_t last);
+
+/// The code of the lines in one, with single blanks between them.
+std::string joined_code(const std::vector<Line>& lines);
 
 /// Lines as text; trailing comments that stood in one column of the header are put in one column again.
 std::string join(const std::vector<Line>& lines);

@@ -5,8 +5,6 @@
 namespace glslgen {
 namespace {
 
-constexpr std::size_t widest_line = 110;
-
 std::size_t indentation_of(const std::string& code) {
     return code.find_first_not_of(' ');
 }

@@ -2,14 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "layout.hpp"
 #include "writer.hpp"
 
 namespace glslgen {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t widest_line = 110;
 
 std::string glsl_file(const std::string& header) {
     return file_of(header.substr(0, header.rfind('.')));

@@ -9,8 +9,6 @@
 namespace glslgen {
 namespace {
 
-constexpr std::size_t widest_line = 110;
-
 bool take_prefix(std::string& text, const std::string& prefix) {
     const bool found = text.rfind(prefix, 0) == 0;
     if (found) {
