@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <regex>
 #include <set>
 #include <string>
 
@@ -270,12 +270,20 @@ struct Edit {
 
 std::vector<Edit> edits_of(const Function& function, const std::string& text) {
     std::vector<Edit> out;
-    const std::regex head("\\n[A-Za-z0-9_]+ " + function.glsl + "\\([^{]*\\{");
-    std::smatch match;
-    if (!std::regex_search(text, match, head)) {
+    // A definition starts a line with its result type and opens its brace before any ';'.
+    const std::string call = " " + function.glsl + "(";
+    std::size_t begin = std::string::npos;
+    for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
+        const std::size_t line = text.rfind('\n', at) + 1;
+        const std::size_t brace = text.find_first_of("{;", at);
+        if (line != at && text.find_first_of(" /", line) == at && text[brace] == '{') {
+            begin = brace + 1;
+            break;
+        }
+    }
+    if (begin == std::string::npos) {
         throw support::Error("no definition of " + function.glsl + " in " + function.file);
     }
-    const auto begin = static_cast<std::size_t>(match.position() + match.length());
     const std::size_t end = text.find("\n}", begin);
     std::string body = text.substr(begin, end - begin);
     for (std::size_t at = body.find("//"); at != std::string::npos; at = body.find("//", at)) {
@@ -287,21 +295,31 @@ std::vector<Edit> edits_of(const Function& function, const std::string& text) {
         out.push_back(
             {old + " to " + with, text.substr(0, begin + at) + with + text.substr(begin + at + old.size())});
     };
-    const std::regex number("[^A-Za-z0-9_.]([0-9]+\\.[0-9]+(e[-+]?[0-9]+)?)");
-    for (std::sregex_iterator it(body.begin(), body.end(), number), last; it != last; ++it) {
-        const std::string old = (*it)[1];
+    const std::string digits = "0123456789";
+    for (std::size_t at = 0; at < body.size(); ++at) {
+        const bool inside = at > 0 && (std::isalnum(static_cast<unsigned char>(body[at - 1])) != 0 ||
+                                       body[at - 1] == '_' || body[at - 1] == '.');
+        if (inside || digits.find(body[at]) == std::string::npos) {
+            continue;
+        }
+        std::size_t length = 0;  // of the number: digits, a point, digits, perhaps an exponent
+        static_cast<void>(std::stod(body.substr(at, 64), &length));
+        const std::string old = body.substr(at, length);
+        if (old.find('.') == std::string::npos) {
+            continue;  // a count
+        }
         const double value = std::stod(old);
         std::string with = std::to_string(value != 0 ? value * 1.01 : 1.0);
         if (std::abs(value) > 1e6 || (value != 0 && std::abs(value) < 1e-3)) {
             with = old;
             with[0] = with[0] == '9' ? '8' : static_cast<char>(with[0] + 1);
         }
-        add(static_cast<std::size_t>(it->position(1)), old, with);
+        add(at, old, with);
+        at += length;
     }
     if (out.empty()) {  // no number of its own: turn a sign or an operation
         const std::vector<std::pair<std::string, std::string>> swaps = {
-            {" * ", " + "}, {" + ", " - "},    {" - ", " + "},
-            {" / ", " * "}, {"exp(-", "exp("}, {", side)", ", -side)"}};
+            {" * ", " + "}, {" + ", " - "}, {" - ", " + "}, {" / ", " * "}, {"exp(-", "exp("}};
         for (const auto& [old, with] : swaps) {
             const std::size_t at = body.find(old);
             if (at != std::string::npos) {
