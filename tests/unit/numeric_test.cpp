@@ -118,6 +118,22 @@ TEST_CASE_TEMPLATE("x cross y is z; parallel and opposite vectors have none", T,
     }
 }
 
+TEST_CASE_TEMPLATE("dot_product of a 3-4-12 box's diagonal with itself is 169", T, float, double,
+                   long double) {
+    const vec3<T> diagonal = vec3<T>(T(3), T(4), T(12));
+    CHECK(airlight::dot_product(diagonal, diagonal) == T(169));                  // exact: small integers
+    CHECK(airlight::dot_product(diagonal, vec3<T>(T(4), T(-3), T(0))) == T(0));  // at right angles
+}
+
+TEST_CASE_TEMPLATE("dot_product adds from x to z", T, float, double, long double) {
+    // A 1 beside 4 / u is lost, so the order of the sums decides what is left.
+    const T big = T(1) / unit_roundoff<T>();
+    const vec3<T> ones = vec3<T>(T(1), T(1), T(1));
+    CHECK(airlight::dot_product(vec3<T>(big, -big, T(1)), ones) == T(1));  // (big - big) + 1
+    CHECK(airlight::dot_product(vec3<T>(T(1), T(4) * big, T(-4) * big), ones) ==
+          T(0));  // (1 + 4 big) - 4 big
+}
+
 TEST_CASE_TEMPLATE("cross_of_unit_vectors agrees with 50 digits, nearly parallel vectors included", T, float,
                    double, long double) {
     Worst worst;

@@ -105,6 +105,21 @@ TEST_CASE_TEMPLATE("camera outside, surface in front of the air: no air", T, flo
     CHECK_FALSE(path.reaches_ground);
 }
 
+TEST_CASE_TEMPLATE("in_air says that the ray has air, wherever its two ends are", T, float, double,
+                   long double) {
+    // Our reading of a source whose flag in_atm is set when camera and point are both in space. From space to
+    // space across the air, the ray has air; from space to space past it, none.
+    const Atmosphere<T> planet = shell(T(6400), T(100));
+    const T above = T(150);
+    const T sine = (T(6400) + T(50)) / (T(6400) + above);  // closest approach at 50 km
+    const vec3<T> across = vec3<T>(sine, T(0), -std::sqrt((T(1) - sine) * (T(1) + sine)));
+    const ViewPath<T> through = view_path(planet, eye_at(above), across, T(5000));
+    CHECK(through.in_air);
+    CHECK(through.begin > T(0));
+    CHECK(through.end < T(5000));
+    CHECK_FALSE(view_path(planet, eye_at(above), -across, T(5000)).in_air);
+}
+
 TEST_CASE_TEMPLATE("a ray that misses the air, or leaves it behind, has no air", T, float, double,
                    long double) {
     const Atmosphere<T> planet = shell(T(6400), T(100));
