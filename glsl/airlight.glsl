@@ -104,6 +104,22 @@ float airlight_safe_sqrt(float x) {
     return sqrt(max(x, 0.0));
 }
 
+// Dot product, added from x to z.
+//
+//     a . b = a.x b.x + a.y b.y + a.z b.z
+//
+// The built-in of GLSL may add in any order, and drivers differ: the last digit of a direction then
+// depends on who computes, and from an orbit that digit is worth 40 cm.
+//
+// Units:    those of a times those of b.
+// Domain:   vectors whose products are finite.
+// Accuracy: 3 roundoffs of |a.x b.x| + |a.y b.y| + |a.z b.z|.
+// Errors:   none.
+// Source:   definition.
+float airlight_dot_product(vec3 a, vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 // Cross product of two unit vectors, with all its digits where they are nearly parallel.
 //
 //     a x b = a x (b - a) = a x (b + a)
@@ -118,7 +134,7 @@ float airlight_safe_sqrt(float x) {
 // Errors:   none; parallel and opposite vectors give 0.
 // Source:   bilinearity of the cross product.
 vec3 airlight_cross_of_unit_vectors(vec3 a, vec3 b) {
-    float side = dot(a, b) < 0.0 ? 1.0 : -1.0;
+    float side = airlight_dot_product(a, b) < 0.0 ? 1.0 : -1.0;
     return cross(a, b + side * a);
 }
 
@@ -712,7 +728,7 @@ struct airlight_Viewpoint {
 // Errors:   at the centre itself up is +z.
 // Source:   none.
 airlight_Viewpoint airlight_viewpoint_from_centre(float ground_radius, vec3 position) {
-    float distance = sqrt(dot(position, position));
+    float distance = sqrt(airlight_dot_product(position, position));
     if (distance <= 0.0) {
         return airlight_Viewpoint(-ground_radius, vec3(0.0, 0.0, 1.0));
     }
@@ -735,13 +751,14 @@ airlight_Viewpoint airlight_viewpoint_from_centre(float ground_radius, vec3 posi
 // Source:   difference of squares, worked out in docs/theory/altitude.md.
 airlight_Viewpoint airlight_viewpoint_from_surface(float ground_radius, vec3 position, vec3 up_at_origin) {
     vec3 from_centre = position + ground_radius * up_at_origin;
-    float distance = sqrt(dot(from_centre, from_centre));
+    float distance = sqrt(airlight_dot_product(from_centre, from_centre));
     if (distance <= 0.0) {
         return airlight_Viewpoint(-ground_radius, up_at_origin);
     }
 
     // The difference distance - ground_radius would have lost the height's digits.
-    float w = dot(position, position) + 2.0 * ground_radius * dot(position, up_at_origin);
+    float height_over_origin = airlight_dot_product(position, up_at_origin);
+    float w = airlight_dot_product(position, position) + 2.0 * ground_radius * height_over_origin;
     return airlight_Viewpoint(w / (ground_radius + distance), from_centre / distance);
 }
 
@@ -800,9 +817,9 @@ airlight_AirRay airlight_air_ray(airlight_Atmosphere atmosphere, airlight_Viewpo
     float radius = atmosphere.ground_radius;
     float top = atmosphere.top_altitude;
     float eye_altitude = max(eye.altitude, 0.0);
-    float mu = dot(eye.up, direction);
+    float mu = airlight_dot_product(eye.up, direction);
     vec3 across = airlight_cross_of_unit_vectors(eye.up, direction);
-    float sine = sqrt(dot(across, across));
+    float sine = sqrt(airlight_dot_product(across, across));
 
     // Perigee is the ray's closest approach to the centre. Its depth below the ground is written
     // so that a low, nearly horizontal ray subtracts two small numbers, not two radii.
@@ -1095,9 +1112,9 @@ airlight_Scattered airlight_single_scattering_marched(airlight_Atmosphere atmosp
 
     // The sun's height over the ray: the closest approach to the centre, and the way from there.
     // The closest approach comes from cross products, which keep digits for far eyes.
-    float cos_theta = dot(direction, to_sun);
+    float cos_theta = airlight_dot_product(direction, to_sun);
     vec3 across = cross(direction, airlight_cross_of_unit_vectors(eye.up, direction));
-    float perigee_to_sun = (radius + max(eye.altitude, 0.0)) * dot(across, to_sun);
+    float perigee_to_sun = (radius + max(eye.altitude, 0.0)) * airlight_dot_product(across, to_sun);
 
     airlight_Column passed = airlight_Column(0.0, 0.0, 0.0);
     vec3 rayleigh_light = vec3(0.0, 0.0, 0.0);

@@ -18,7 +18,7 @@ struct Surface {
 };
 
 inline vec3 unit(const vec3& v) {
-    return v / glm::sqrt(glm::dot(v, v));
+    return v / glm::sqrt(airlight::dot_product(v, v));
 }
 
 inline vec3 pixel_ray(const Frame& frame, int x, int y) {
@@ -36,15 +36,15 @@ inline float mirrored_share(float cosine) {
 inline float sun_glint(const Surface& surface, const vec3& normal, const vec3& to_eye, const vec3& to_sun) {
     const float a = surface.roughness * surface.roughness;
     const vec3 half_way = unit(to_eye + to_sun);
-    const float cosine = glm::dot(normal, half_way);
+    const float cosine = airlight::dot_product(normal, half_way);
     // Written with the sine: 1 - cosine^2 has no digits left where the glint is brightest.
     const vec3 across = glm::cross(normal, half_way);
-    const float spread = a * a * cosine * cosine + glm::dot(across, across);
+    const float spread = a * a * cosine * cosine + airlight::dot_product(across, across);
     const float distribution = a * a / (airlight::pi<float> * spread * spread);
-    const float n_eye = glm::max(glm::dot(normal, to_eye), 1e-3f);
-    const float n_sun = glm::max(glm::dot(normal, to_sun), 1e-3f);
+    const float n_eye = glm::max(airlight::dot_product(normal, to_eye), 1e-3f);
+    const float n_sun = glm::max(airlight::dot_product(normal, to_sun), 1e-3f);
     const float masking = 0.5f / (2 * n_eye * n_sun * (1 - a) + (n_eye + n_sun) * a);
-    return distribution * masking * mirrored_share(glm::dot(to_sun, half_way));
+    return distribution * masking * mirrored_share(airlight::dot_product(to_sun, half_way));
 }
 
 /// Light that leaves the surface for the eye, by unit solar irradiance above the air [1/sr].
@@ -55,9 +55,9 @@ vec3 surface_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame
     const airlight::Viewpoint<float> here =
         airlight::viewpoint_from_surface(atmosphere.ground_radius, position, origin_up);
     const vec3 normal = unit(surface.normal);
-    const float mu_s = glm::clamp(glm::dot(here.up, frame.to_sun), -1.0f, 1.0f);
+    const float mu_s = glm::clamp(airlight::dot_product(here.up, frame.to_sun), -1.0f, 1.0f);
     const vec3 sunlight = airlight::transmittance_to_space<float, Scene>(atmosphere, here.altitude, mu_s) *
-                          glm::max(glm::dot(normal, frame.to_sun), 0.0f);
+                          glm::max(airlight::dot_product(normal, frame.to_sun), 0.0f);
 
     // The whole sky stands in for one look along the normal.
     const vec3 sky =
@@ -68,20 +68,20 @@ vec3 surface_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame
     if (surface.roughness < 1) {
         const float polish = glm::min(1.5f * (1 - surface.roughness), 1.0f);
         radiance += polish * (sunlight * sun_glint(surface, normal, -direction, frame.to_sun) +
-                              sky * mirrored_share(glm::dot(normal, -direction)));
+                              sky * mirrored_share(airlight::dot_product(normal, -direction)));
     }
     return radiance;
 }
 
 /// The sun itself: an even disc, its edge spread over a pixel [1/sr].
 inline float sun_disc(const Frame& frame, const vec3& direction) {
-    if (glm::dot(direction, frame.to_sun) <= 0) {
+    if (airlight::dot_product(direction, frame.to_sun) <= 0) {
         return 0;
     }
     // The sine of the angle, which for small angles has all the digits that the cosine lacks.
     const vec3 across = glm::cross(direction, frame.to_sun);
-    const float share =
-        (frame.disc_outside - glm::sqrt(glm::dot(across, across))) / (frame.disc_outside - frame.disc_inside);
+    const float share = (frame.disc_outside - glm::sqrt(airlight::dot_product(across, across))) /
+                        (frame.disc_outside - frame.disc_inside);
     return glm::clamp(share, 0.0f, 1.0f) / frame.disc_solid_angle;
 }
 
@@ -90,7 +90,7 @@ template <typename Scene>
 vec3 pixel_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame& frame, const Surface& surface,
                     int x, int y) {
     const vec3 ray = pixel_ray(frame, x, y);
-    const float ray_length = glm::sqrt(glm::dot(ray, ray));
+    const float ray_length = glm::sqrt(airlight::dot_product(ray, ray));
     const vec3 direction = ray / ray_length;
     const vec3 origin_up(0, 0, 1);
     const airlight::Viewpoint<float> eye =

@@ -37,6 +37,22 @@ float airlight_safe_sqrt(float x) {
     return sqrt(max(x, 0.0));
 }
 
+// Dot product, added from x to z.
+//
+//     a . b = a.x b.x + a.y b.y + a.z b.z
+//
+// The built-in of GLSL may add in any order, and drivers differ: the last digit of a direction then
+// depends on who computes, and from an orbit that digit is worth 40 cm.
+//
+// Units:    those of a times those of b.
+// Domain:   vectors whose products are finite.
+// Accuracy: 3 roundoffs of |a.x b.x| + |a.y b.y| + |a.z b.z|.
+// Errors:   none.
+// Source:   definition.
+float airlight_dot_product(vec3 a, vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 // Cross product of two unit vectors, with all its digits where they are nearly parallel.
 //
 //     a x b = a x (b - a) = a x (b + a)
@@ -51,7 +67,7 @@ float airlight_safe_sqrt(float x) {
 // Errors:   none; parallel and opposite vectors give 0.
 // Source:   bilinearity of the cross product.
 vec3 airlight_cross_of_unit_vectors(vec3 a, vec3 b) {
-    float side = dot(a, b) < 0.0 ? 1.0 : -1.0;
+    float side = airlight_dot_product(a, b) < 0.0 ? 1.0 : -1.0;
     return cross(a, b + side * a);
 }
 

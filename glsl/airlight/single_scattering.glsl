@@ -61,9 +61,9 @@ airlight_Scattered airlight_single_scattering_marched(airlight_Atmosphere atmosp
 
     // The sun's height over the ray: the closest approach to the centre, and the way from there.
     // The closest approach comes from cross products, which keep digits for far eyes.
-    float cos_theta = dot(direction, to_sun);
+    float cos_theta = airlight_dot_product(direction, to_sun);
     vec3 across = cross(direction, airlight_cross_of_unit_vectors(eye.up, direction));
-    float perigee_to_sun = (radius + max(eye.altitude, 0.0)) * dot(across, to_sun);
+    float perigee_to_sun = (radius + max(eye.altitude, 0.0)) * airlight_dot_product(across, to_sun);
 
     airlight_Column passed = airlight_Column(0.0, 0.0, 0.0);
     vec3 rayleigh_light = vec3(0.0, 0.0, 0.0);

@@ -59,9 +59,9 @@ airlight_AirRay airlight_air_ray(airlight_Atmosphere atmosphere, airlight_Viewpo
     float radius = atmosphere.ground_radius;
     float top = atmosphere.top_altitude;
     float eye_altitude = max(eye.altitude, 0.0);
-    float mu = dot(eye.up, direction);
+    float mu = airlight_dot_product(eye.up, direction);
     vec3 across = airlight_cross_of_unit_vectors(eye.up, direction);
-    float sine = sqrt(dot(across, across));
+    float sine = sqrt(airlight_dot_product(across, across));
 
     // Perigee is the ray's closest approach to the centre. Its depth below the ground is written
     // so that a low, nearly horizontal ray subtracts two small numbers, not two radii.

@@ -22,7 +22,7 @@ struct airlight_Viewpoint {
 // Errors:   at the centre itself up is +z.
 // Source:   none.
 airlight_Viewpoint airlight_viewpoint_from_centre(float ground_radius, vec3 position) {
-    float distance = sqrt(dot(position, position));
+    float distance = sqrt(airlight_dot_product(position, position));
     if (distance <= 0.0) {
         return airlight_Viewpoint(-ground_radius, vec3(0.0, 0.0, 1.0));
     }
@@ -45,13 +45,14 @@ airlight_Viewpoint airlight_viewpoint_from_centre(float ground_radius, vec3 posi
 // Source:   difference of squares, worked out in docs/theory/altitude.md.
 airlight_Viewpoint airlight_viewpoint_from_surface(float ground_radius, vec3 position, vec3 up_at_origin) {
     vec3 from_centre = position + ground_radius * up_at_origin;
-    float distance = sqrt(dot(from_centre, from_centre));
+    float distance = sqrt(airlight_dot_product(from_centre, from_centre));
     if (distance <= 0.0) {
         return airlight_Viewpoint(-ground_radius, up_at_origin);
     }
 
     // The difference distance - ground_radius would have lost the height's digits.
-    float w = dot(position, position) + 2.0 * ground_radius * dot(position, up_at_origin);
+    float height_over_origin = airlight_dot_product(position, up_at_origin);
+    float w = airlight_dot_product(position, position) + 2.0 * ground_radius * height_over_origin;
     return airlight_Viewpoint(w / (ground_radius + distance), from_centre / distance);
 }
 

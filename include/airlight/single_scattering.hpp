@@ -58,9 +58,9 @@ Scattered<T> single_scattering_marched(const Atmosphere<T>& atmosphere, const Vi
 
     // The sun's height over the ray: the closest approach to the centre, and the way from there.
     // The closest approach comes from cross products, which keep digits for far eyes.
-    const T cos_theta = glm::dot(direction, to_sun);
+    const T cos_theta = dot_product(direction, to_sun);
     const vec3<T> across = glm::cross(direction, cross_of_unit_vectors(eye.up, direction));
-    const T perigee_to_sun = (radius + glm::max(eye.altitude, T(0))) * glm::dot(across, to_sun);
+    const T perigee_to_sun = (radius + glm::max(eye.altitude, T(0))) * dot_product(across, to_sun);
 
     Column<T> passed = Column<T>{T(0), T(0), T(0)};
     vec3<T> rayleigh_light = vec3<T>(T(0), T(0), T(0));

@@ -64,9 +64,9 @@ AirRay<T> air_ray(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, cons
     const T radius = atmosphere.ground_radius;
     const T top = atmosphere.top_altitude;
     const T eye_altitude = glm::max(eye.altitude, T(0));
-    const T mu = glm::dot(eye.up, direction);
+    const T mu = dot_product(eye.up, direction);
     const vec3<T> across = cross_of_unit_vectors(eye.up, direction);
-    const T sine = glm::sqrt(glm::dot(across, across));
+    const T sine = glm::sqrt(dot_product(across, across));
 
     // Perigee is the ray's closest approach to the centre. Its depth below the ground is written
     // so that a low, nearly horizontal ray subtracts two small numbers, not two radii.

@@ -25,7 +25,7 @@ struct Viewpoint {
 /// Source:   none.
 template <typename T>
 Viewpoint<T> viewpoint_from_centre(T ground_radius, const vec3<T>& position) {
-    const T distance = glm::sqrt(glm::dot(position, position));
+    const T distance = glm::sqrt(dot_product(position, position));
     if (distance <= T(0)) {
         return Viewpoint<T>{-ground_radius, vec3<T>(T(0), T(0), T(1))};
     }
@@ -49,13 +49,14 @@ Viewpoint<T> viewpoint_from_centre(T ground_radius, const vec3<T>& position) {
 template <typename T>
 Viewpoint<T> viewpoint_from_surface(T ground_radius, const vec3<T>& position, const vec3<T>& up_at_origin) {
     const vec3<T> from_centre = position + ground_radius * up_at_origin;
-    const T distance = glm::sqrt(glm::dot(from_centre, from_centre));
+    const T distance = glm::sqrt(dot_product(from_centre, from_centre));
     if (distance <= T(0)) {
         return Viewpoint<T>{-ground_radius, up_at_origin};
     }
 
     // The difference distance - ground_radius would have lost the height's digits.
-    const T w = glm::dot(position, position) + T(2) * ground_radius * glm::dot(position, up_at_origin);
+    const T height_over_origin = dot_product(position, up_at_origin);
+    const T w = dot_product(position, position) + T(2) * ground_radius * height_over_origin;
     return Viewpoint<T>{w / (ground_radius + distance), from_centre / distance};
 }
 

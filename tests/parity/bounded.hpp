@@ -439,19 +439,6 @@ using parity::mix;
 using parity::pow;
 using parity::sqrt;
 
-/// GLM's order of summation; a GPU may sum in any other, so its rounding is that of all products together.
-inline Bounded dot(const BoundedVec3& a, const BoundedVec3& b) {
-    const BoundedVec3 products = a * b;
-    const Bounded sum = products.x + products.y + products.z;
-    double size = 0;
-    for (length_t i = 0; i < 3; ++i) {
-        size += std::abs(static_cast<double>(products[i].value())) + products[i].bound()[parity::hardware];
-    }
-    Bounded::Bounds bound = sum.bound();
-    bound[parity::hardware] += 2 * parity::spec::add * parity::spec::ulp * size;  // two more sums
-    return Bounded(sum.value(), bound);
-}
-
 inline BoundedVec3 exp(const BoundedVec3& x) {
     return BoundedVec3(exp(x.x), exp(x.y), exp(x.z));
 }

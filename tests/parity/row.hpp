@@ -125,20 +125,32 @@ Evaluation evaluate(const Call& call, const Tuple& inputs) {
     return out;
 }
 
-template <typename Tuple, typename Call, std::size_t... Scenes>
+/// Whether the call asks about its run; one that does not is the same in every scene and compiled once.
+template <typename Call, typename Tuple>
+struct takes_run : std::false_type {};
+template <typename Call, typename... A>
+struct takes_run<Call, std::tuple<A...>>
+    : std::is_invocable<Call, Run<float, airlight::DefaultScene, airlight::AlwaysLit>, A...> {};
+
+template <typename Call, typename Tuple, std::size_t... Others>
 Evaluation evaluate_in_scene(std::size_t scene, bool shadowed, const Call& call, const Tuple& inputs,
-                             std::index_sequence<Scenes...>) {
-    Evaluation out;
-    (
-        [&] {
-            if (scene == Scenes) {
-                using Scene = std::tuple_element_t<Scenes, SceneTypes>;
-                out = shadowed ? evaluate<Scene, PartlyLit>(call, inputs)
-                               : evaluate<Scene, airlight::AlwaysLit>(call, inputs);
-            }
-        }(),
-        ...);
-    return out;
+                             std::index_sequence<Others...>) {
+    using Default = airlight::DefaultScene;
+    if constexpr (takes_run<Call, Tuple>::value) {
+        if (shadowed) {  // in the default scene only, see run_row
+            return evaluate<Default, PartlyLit>(call, inputs);
+        }
+        Evaluation out;
+        const bool other =
+            ((scene == Others + 1 &&
+              (out =
+                   evaluate<std::tuple_element_t<Others + 1, SceneTypes>, airlight::AlwaysLit>(call, inputs),
+               true)) ||
+             ...);
+        return other ? out : evaluate<Default, airlight::AlwaysLit>(call, inputs);
+    } else {
+        return evaluate<Default, airlight::AlwaysLit>(call, inputs);
+    }
 }
 
 }  // namespace detail
@@ -201,7 +213,7 @@ class RowBuilder {
         row.draw = [draw](Draw& d) { return detail::flat(draw(d)); };
         row.evaluate = [call](std::size_t scene, bool shadowed, const std::vector<float>& in) {
             return detail::evaluate_in_scene(scene, shadowed, call, detail::unflat<Tuple>(in),
-                                             std::make_index_sequence<std::tuple_size_v<SceneTypes>>{});
+                                             std::make_index_sequence<std::tuple_size_v<SceneTypes> - 1>{});
         };
         all_rows().push_back(std::move(row));
         return true;

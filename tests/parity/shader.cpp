@@ -96,12 +96,6 @@ const char* const main_head =
     "    int base = row * per_input;\n"
     "    int out_base = row * per_result;\n";
 
-/// The built-in of the same name, in GLM's order of summation.
-const char* const glm_dot =
-    "float dot(vec3 a, vec3 b) {\n"
-    "    return a.x * b.x + a.y * b.y + a.z * b.z;\n"
-    "}\n";
-
 }  // namespace
 
 std::string expanded(const GlslFolder& glsl, const std::string& file) {
@@ -120,9 +114,6 @@ std::string function_shader(const Manifest& manifest, const Function& function, 
     std::string text = "#version 430 core\n";
     for (const SceneDefine& define : scene.defines) {
         text += "#define " + define.macro + " " + define.value + "\n";
-    }
-    if (compiled == Compiled::pinned) {
-        text += glm_dot;
     }
     if (partly_lit) {
         text += partly_lit_glsl;

@@ -22,9 +22,8 @@ struct GlslFolder {
 std::string expanded(const GlslFolder& glsl, const std::string& file);
 
 /// How a function's shader is compiled; what it takes is added by the test, never to the generated files.
-///   pinned: the result is declared `precise`, and dot products are summed from x to z as GLM does. Without
-///     `precise` Mesa factors a * b + a * c; from the result it carries `precise` back through everything
-///     that contributes, across function calls. It sums its own dot from z to x, precise or not.
+///   pinned: the result is declared `precise`. Without it Mesa factors a * b + a * c; from the result it
+///     carries `precise` back through everything that contributes, across function calls.
 ///   as the driver likes: what a user's shader gets.
 enum class Compiled { pinned, as_the_driver_likes };
 

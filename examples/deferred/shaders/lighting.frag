@@ -1,5 +1,4 @@
 // The one pass of light and air, over the whole screen.
-#include "dot.glsl"  // before all that uses it
 #include "shading.glsl"
 
 uniform airlight_Atmosphere atmosphere;

@@ -15,7 +15,7 @@ struct Surface {
 };
 
 vec3 unit(vec3 v) {
-    return v / sqrt(dot(v, v));
+    return v / sqrt(airlight_dot_product(v, v));
 }
 
 float mirrored_share(float cosine) {
@@ -26,14 +26,14 @@ float mirrored_share(float cosine) {
 float sun_glint(Surface surface, vec3 normal, vec3 to_eye, vec3 to_sun) {
     float a = surface.roughness * surface.roughness;
     vec3 half_way = unit(to_eye + to_sun);
-    float cosine = dot(normal, half_way);
+    float cosine = airlight_dot_product(normal, half_way);
     vec3 across = cross(normal, half_way);
-    float spread = a * a * cosine * cosine + dot(across, across);
+    float spread = a * a * cosine * cosine + airlight_dot_product(across, across);
     float distribution = a * a / (airlight_pi * spread * spread);
-    float n_eye = max(dot(normal, to_eye), 1e-3);
-    float n_sun = max(dot(normal, to_sun), 1e-3);
+    float n_eye = max(airlight_dot_product(normal, to_eye), 1e-3);
+    float n_sun = max(airlight_dot_product(normal, to_sun), 1e-3);
     float masking = 0.5 / (2.0 * n_eye * n_sun * (1.0 - a) + (n_eye + n_sun) * a);
-    return distribution * masking * mirrored_share(dot(to_sun, half_way));
+    return distribution * masking * mirrored_share(airlight_dot_product(to_sun, half_way));
 }
 
 vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface, vec3 position,
@@ -41,9 +41,9 @@ vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surfa
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
     airlight_Viewpoint here = airlight_viewpoint_from_surface(atmosphere.ground_radius, position, origin_up);
     vec3 normal = unit(surface.normal);
-    float mu_s = clamp(dot(here.up, frame.to_sun), -1.0, 1.0);
+    float mu_s = clamp(airlight_dot_product(here.up, frame.to_sun), -1.0, 1.0);
     vec3 sunlight = airlight_transmittance_to_space(atmosphere, here.altitude, mu_s) *
-                    max(dot(normal, frame.to_sun), 0.0);
+                    max(airlight_dot_product(normal, frame.to_sun), 0.0);
 
     vec3 sky = airlight_single_scattering_marched(atmosphere, here, normal, frame.to_sun,
                                                   airlight_no_surface(), frame.sky_steps)
@@ -52,24 +52,24 @@ vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surfa
     if (surface.roughness < 1.0) {
         float polish = min(1.5 * (1.0 - surface.roughness), 1.0);
         radiance += polish * (sunlight * sun_glint(surface, normal, -direction, frame.to_sun) +
-                              sky * mirrored_share(dot(normal, -direction)));
+                              sky * mirrored_share(airlight_dot_product(normal, -direction)));
     }
     return radiance;
 }
 
 float sun_disc(Frame frame, vec3 direction) {
-    if (dot(direction, frame.to_sun) <= 0.0) {
+    if (airlight_dot_product(direction, frame.to_sun) <= 0.0) {
         return 0.0;
     }
     vec3 across = cross(direction, frame.to_sun);
     float share =
-        (frame.disc_outside - sqrt(dot(across, across))) / (frame.disc_outside - frame.disc_inside);
+        (frame.disc_outside - sqrt(airlight_dot_product(across, across))) / (frame.disc_outside - frame.disc_inside);
     return clamp(share, 0.0, 1.0) / frame.disc_solid_angle;
 }
 
 vec3 pixel_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface, ivec2 pixel) {
     vec3 ray = pixel_ray(frame, pixel);
-    float ray_length = sqrt(dot(ray, ray));
+    float ray_length = sqrt(airlight_dot_product(ray, ray));
     vec3 direction = ray / ray_length;
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
     airlight_Viewpoint eye =

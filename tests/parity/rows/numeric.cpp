@@ -20,6 +20,12 @@ static const bool safe_sqrt_row =
         .cpu([](auto x) { return airlight::safe_sqrt(x); })
         .to_the_bit();
 
+static const bool dot_product_row =
+    row("dot_product")
+        .inputs([](Draw& draw) { return std::make_tuple(draw.direction(), draw.direction()); })
+        .cpu([](const auto& a, const auto& b) { return airlight::dot_product(a, b); })
+        .to_the_bit();
+
 static const bool cross_of_unit_vectors_row =
     row("cross_of_unit_vectors")
         .inputs([](Draw& draw) {
