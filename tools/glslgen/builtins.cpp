@@ -17,9 +17,6 @@ enum class Shape {
     mix,                  ///< (gen, gen, gen) or (gen, gen, T)
     step,                 ///< (gen, gen) or (T, gen)
     smoothstep,           ///< (gen, gen, gen) or (T, T, gen)
-    vector_to_scalar,     ///< (vector) -> T
-    vector_vector,        ///< (vector, vector) -> T
-    vector_to_vector,     ///< (vector) -> vector
     cross,                ///< (vec3, vec3) -> vec3
 };
 
@@ -31,21 +28,17 @@ const std::map<std::string, Shape>& table() {
         {"ceil", Shape::gen},
         {"clamp", Shape::clamp},
         {"cross", Shape::cross},
-        {"distance", Shape::vector_vector},
-        {"dot", Shape::vector_vector},
         {"exp", Shape::gen},
         {"exp2", Shape::gen},
         {"floor", Shape::gen},
         {"fract", Shape::gen},
         {"inversesqrt", Shape::gen},
-        {"length", Shape::vector_to_scalar},
         {"log", Shape::gen},
         {"log2", Shape::gen},
         {"max", Shape::gen_last_scalar_int},
         {"min", Shape::gen_last_scalar_int},
         {"mix", Shape::mix},
         {"mod", Shape::gen_last_scalar},
-        {"normalize", Shape::vector_to_vector},
         {"pow", Shape::gen_gen},
         {"sign", Shape::gen_or_int},
         {"smoothstep", Shape::smoothstep},
@@ -58,6 +51,9 @@ const std::map<std::string, Shape>& table() {
 
 const char* const no_trigonometry =
     "GLSL gives no useful bound for the error of trigonometry; carry cosines and sines instead of angles";
+
+const char* const no_order =
+    "drivers add its products in different orders; write dot_product, and the square root of it for a length";
 
 const std::map<std::string, std::string>& refused_on_purpose() {
     static const std::map<std::string, std::string> entries = {
@@ -73,6 +69,10 @@ const std::map<std::string, std::string>& refused_on_purpose() {
         {"asinh", no_trigonometry},
         {"acosh", no_trigonometry},
         {"atanh", no_trigonometry},
+        {"dot", no_order},
+        {"length", no_order},
+        {"distance", no_order},
+        {"normalize", no_order},
         {"radians", "angles do not cross function boundaries; carry cosines"},
         {"degrees", "angles do not cross function boundaries; carry cosines"},
         {"round", "GLSL rounds a half whichever way it likes; write floor(x + T(0.5))"},
@@ -91,8 +91,6 @@ std::size_t argument_count(Shape shape) {
     switch (shape) {
         case Shape::gen:
         case Shape::gen_or_int:
-        case Shape::vector_to_scalar:
-        case Shape::vector_to_vector:
             return 1;
         case Shape::clamp:
         case Shape::mix:
@@ -152,11 +150,6 @@ std::optional<Type> builtin_result(const std::string& name, const std::vector<Ty
             return when(same || first == scalar_type(), last);
         case Shape::smoothstep:
             return when(same || (first == scalar_type() && arguments[1] == scalar_type()), last);
-        case Shape::vector_to_scalar:
-        case Shape::vector_vector:
-            return when(vectors, scalar_type());
-        case Shape::vector_to_vector:
-            return when(vectors, first);
         case Shape::cross:
             return when(vectors && first.components == 3, first);
     }
@@ -183,11 +176,6 @@ std::string builtin_usage(const std::string& name) {
             return name + "(edge, x) with two of one type, or a T and a vector";
         case Shape::smoothstep:
             return name + "(low, high, x) with three of one type, or two T and a vector";
-        case Shape::vector_to_scalar:
-        case Shape::vector_to_vector:
-            return name + "(v) with a vector";
-        case Shape::vector_vector:
-            return name + "(a, b) with two vectors of one size";
         case Shape::cross:
             return name + "(a, b) with two vec3<T>";
     }

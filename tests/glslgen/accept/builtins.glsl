@@ -14,8 +14,7 @@ vec3 airlight_f(vec3 v, float x, int n) {
     s += exp(x) + exp2(x) + log(x) + log2(x) + sqrt(x) + inversesqrt(x);
     s += clamp(x, 0.0, 1.0) + mix(1.0, 2.0, x) + mod(x, 3.0) + pow(x, 2.4);
     s += step(1.0, x) + smoothstep(0.0, 1.0, x);
-    s += dot(v, v) + distance(v, v) + length(v);
-    vec3 w = cross(v, normalize(v)) + min(v, x) + max(v, v);
+    vec3 w = cross(v, v) + min(v, x) + max(v, v);
     return s * exp(-w) + clamp(v, 0.0, 1.0) + mix(v, w, x) + float(max(min(n, 3), 0));
 }
 

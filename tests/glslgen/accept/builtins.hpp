@@ -17,8 +17,7 @@ vec3<T> f(const vec3<T>& v, T x, int n) {
     s += glm::exp(x) + glm::exp2(x) + glm::log(x) + glm::log2(x) + glm::sqrt(x) + glm::inversesqrt(x);
     s += glm::clamp(x, T(0), T(1)) + glm::mix(T(1), T(2), x) + glm::mod(x, T(3)) + glm::pow(x, T(2.4));
     s += glm::step(T(1), x) + glm::smoothstep(T(0), T(1), x);
-    s += glm::dot(v, v) + glm::distance(v, v) + glm::length(v);
-    const vec3<T> w = glm::cross(v, glm::normalize(v)) + glm::min(v, x) + glm::max(v, v);
+    const vec3<T> w = glm::cross(v, v) + glm::min(v, x) + glm::max(v, v);
     return s * glm::exp(-w) + glm::clamp(v, T(0), T(1)) + glm::mix(v, w, x) + T(glm::max(glm::min(n, 3), 0));
 }
 

@@ -13,7 +13,7 @@ namespace airlight {
 /// Source:   none.
 template <typename T>
 T f(T x) {
-    return glm::dot(x, x);
+    return glm::cross(x, x);
 }
 
 }  // namespace airlight

@@ -12,9 +12,9 @@ namespace airlight {
 /// Errors:   none.
 /// Source:   none.
 template <typename T>
-T f(T x, const vec3<T>& v) {
-    const T length = x;
-    return length * glm::length(v);
+T f(T x) {
+    const T floor = x;
+    return floor * glm::floor(x);
 }
 
 }  // namespace airlight
