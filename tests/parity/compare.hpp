@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -65,12 +66,17 @@ struct Settings {
     std::uint64_t seed = 20220613;
     double share = 1;         ///< of each row's number of inputs
     bool stop_early = false;  ///< after the first scene that fails
+    bool webgl = false;       ///< GLSL ES 3.00, once
     /// llvmpipe: + - * / sqrt exact, built-ins as measured. Otherwise the GLSL specification's table.
     bool software_gl = true;
 };
 
+/// How a shader is run: its text, the file it tests, the flat inputs, the number of rows, floats per result.
+using Runner = std::function<std::vector<float>(const std::string&, const std::string&,
+                                                const std::vector<float>&, std::size_t, std::size_t)>;
+
 RowResult run_row(const Row& row, const Function& function, const Manifest& manifest, const GlslFolder& glsl,
-                  const Settings& settings);
+                  const Settings& settings, const Runner& run = run_shader);
 
 /// One line per comparison with the worst input, in %a and decimal.
 std::string describe(const RowResult& result, const Manifest& manifest);

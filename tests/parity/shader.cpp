@@ -16,9 +16,9 @@ namespace {
 
 constexpr int group_size = 64;
 
-/// GLSL that builds a value of `type` from floats in_data[base + at], and moves `at` on.
+/// GLSL that builds a value of `type` from the floats at base + at, and moves `at` on.
 std::string construct(const Manifest& manifest, const std::string& type, std::size_t& at) {
-    const auto next = [&] { return "in_data[base + " + std::to_string(at++) + "]"; };
+    const auto next = [&] { return "fetch(base + " + std::to_string(at++) + ")"; };
     if (type == "float") {
         return next();
     }
@@ -83,6 +83,7 @@ std::string buffers(std::size_t per_input, std::size_t per_result) {
         << "layout(std430, binding = 0) readonly buffer Inputs { float in_data[]; };\n"
         << "layout(std430, binding = 1) writeonly buffer Results { float out_data[]; };\n"
         << "uniform int rows;\n"
+        << "float fetch(int i) {\n    return in_data[i];\n}\n"
         << "const int per_input = " << per_input << ";\nconst int per_result = " << per_result << ";\n";
     return out.str();
 }
@@ -95,6 +96,28 @@ const char* const main_head =
     "    }\n"
     "    int base = row * per_input;\n"
     "    int out_base = row * per_result;\n";
+
+/// The same for a fragment shader of WebGL 2: each pixel holds four numbers of a row's results.
+std::string webgl_textures(std::size_t per_input, std::size_t per_result) {
+    const std::size_t pixels = (per_result + 3) / 4;
+    std::ostringstream out;
+    out << "uniform highp sampler2D in_data;\n"
+        << "uniform int rows;\n"
+        << "uniform int width;\n"  // of both textures, in texels
+        << "out vec4 pixel;\n"
+        << "float fetch(int i) {\n    return texelFetch(in_data, ivec2(i % width, i / width), 0).r;\n}\n"
+        << "const int per_input = " << per_input << ";\n"
+        << "void main() {\n"
+        << "    int texel = int(gl_FragCoord.y) * width + int(gl_FragCoord.x);\n"
+        << "    int row = texel / " << pixels << ";\n"
+        << "    int first = texel % " << pixels << " * 4;\n"
+        << "    pixel = vec4(0.0);\n"
+        << "    if (row >= rows) {\n        return;\n    }\n"
+        << "    int base = row * per_input;\n"
+        << "    const int out_base = 0;\n"
+        << "    float out_data[" << pixels * 4 << "];\n";
+    return out.str();
+}
 
 }  // namespace
 
@@ -111,7 +134,9 @@ std::string function_shader(const Manifest& manifest, const Function& function, 
     }
     const std::string results = manifest.signature(function.result);
 
-    std::string text = "#version 430 core\n";
+    const bool webgl = compiled == Compiled::webgl;
+    std::string text =
+        webgl ? "#version 300 es\nprecision highp float;\nprecision highp int;\n" : "#version 430 core\n";
     for (const SceneDefine& define : scene.defines) {
         text += "#define " + define.macro + " " + define.value + "\n";
     }
@@ -120,7 +145,8 @@ std::string function_shader(const Manifest& manifest, const Function& function, 
         text += "#define AIRLIGHT_VISIBILITY(position) parity_partly_lit(position)\n";
     }
     text += expanded(glsl, function.file);
-    text += "\n" + buffers(inputs.size(), results.size()) + main_head;
+    text += webgl ? "\n" + webgl_textures(inputs.size(), results.size())
+                  : "\n" + buffers(inputs.size(), results.size()) + main_head;
     std::size_t at = 0;
     std::string arguments;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -133,14 +159,19 @@ std::string function_shader(const Manifest& manifest, const Function& function, 
     text += "    " + glsl_type(manifest, function.result) + " result = " + function.glsl + "(" + arguments +
             ");\n";
     at = 0;
-    text += store(manifest, function.result, "result", compiled == Compiled::pinned ? "precise " : "", at) +
-            "}\n";
+    text += store(manifest, function.result, "result", compiled == Compiled::pinned ? "precise " : "", at);
+    if (webgl) {
+        text +=
+            "    pixel = vec4(out_data[first], out_data[first + 1], out_data[first + 2], out_data[first + "
+            "3]);\n";
+    }
+    text += "}\n";
     return text;
 }
 
 std::string expression_shader(const std::string& expression, bool precise) {
     return "#version 430 core\n" + buffers(2, 1) + main_head +
-           "    float x = in_data[base];\n    float y = in_data[base + 1];\n" +
+           "    float x = fetch(base);\n    float y = fetch(base + 1);\n" +
            (precise ? "    precise" : "   ") + " float result = " + expression +
            ";\n    out_data[out_base] = result;\n}\n";
 }

@@ -25,9 +25,10 @@ std::string expanded(const GlslFolder& glsl, const std::string& file);
 ///   pinned: the result is declared `precise`. Without it Mesa factors a * b + a * c; from the result it
 ///     carries `precise` back through everything that contributes, across function calls.
 ///   as the driver likes: what a user's shader gets.
-enum class Compiled { pinned, as_the_driver_likes };
+///   webgl: the same as a fragment shader of GLSL ES 3.00, inputs in a texture, results four to a pixel.
+enum class Compiled { pinned, as_the_driver_likes, webgl };
 
-/// A compute shader that reads rows of floats, calls `function`, and writes rows of floats.
+/// A shader that reads rows of floats, calls `function`, and writes rows of floats.
 std::string function_shader(const Manifest& manifest, const Function& function, const GlslFolder& glsl,
                             const SceneName& scene, bool partly_lit, Compiled compiled);
 

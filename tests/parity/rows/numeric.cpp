@@ -22,7 +22,10 @@ static const bool safe_sqrt_row =
 
 static const bool dot_product_row =
     row("dot_product")
-        .inputs([](Draw& draw) { return std::make_tuple(draw.direction(), draw.direction()); })
+        .inputs([](Draw& draw) {
+            const auto a = draw.direction() * draw.magnitude(1e-6F, 1e9F, {0.0F, 1.0F});
+            return std::make_tuple(a, draw.direction() * draw.magnitude(1e-6F, 1e9F, {0.0F, 1.0F}));
+        })
         .cpu([](const auto& a, const auto& b) { return airlight::dot_product(a, b); })
         .to_the_bit();
 
