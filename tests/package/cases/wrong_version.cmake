@@ -5,4 +5,6 @@ file(REMOVE_RECURSE "${outside}")
 file(WRITE "${outside}/CMakeLists.txt"
     "cmake_minimum_required(VERSION 3.21)\nproject(outside LANGUAGES NONE)\nfind_package(airlight 999 CONFIG REQUIRED)\n"
 )
-expect_failure("version: ${VERSION}" "${CMAKE_COMMAND}" -S "${outside}" -B "${outside}/build" "-DCMAKE_PREFIX_PATH=${PREFIX}")
+expect_failure("version: ${VERSION}" "${CMAKE_COMMAND}" -S "${outside}" -B "${outside}/build" -G "${GENERATOR}"
+    "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}" "-DCMAKE_PREFIX_PATH=${PREFIX}"
+)
