@@ -249,12 +249,6 @@ RowResult run_row(const Row& row, const Function& function, const Manifest& mani
                         std::abs(expected) < smallest_normal || std::abs(shader) < smallest_normal;
                     result.above_zero += bound[gpu] > 0 && !flushed ? 1 : 0;
                     result.unbounded += std::isinf(bound[gpu]) || std::isinf(bound[precision]) ? 1 : 0;
-                    if (std::isfinite(bound[hardware]) && !cpu.undecided[hardware]) {
-                        const double size = std::max(std::abs(expected), smallest_normal);
-                        result.hardware_bound_ulp =
-                            std::max(result.hardware_bound_ulp,
-                                     bound[hardware] / std::ldexp(1.0, std::ilogb(size) - 23));
-                    }
                     if (gpu_decided) {
                         add(result.gpu_float, shader, expected, bound[gpu], inputs[i], c, where);
                     }

@@ -58,7 +58,6 @@ struct RowResult {
     Tally gpu_double;    ///< GPU against C++ double
     std::size_t above_zero = 0;     ///< results whose derived bound for this driver was above 0
     std::size_t unbounded = 0;      ///< results without a finite bound
-    double hardware_bound_ulp = 0;  ///< largest bound the GLSL specification gives a conforming GPU, in ulp
     std::vector<std::string> failures;
 };
 
