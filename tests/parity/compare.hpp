@@ -56,8 +56,8 @@ struct RowResult {
     Tally gpu_plain;     ///< the same, compiled as the driver likes, against the specification's bound
     Tally float_double;  ///< C++ float against C++ double
     Tally gpu_double;    ///< GPU against C++ double
-    std::size_t above_zero = 0;     ///< results whose derived bound for this driver was above 0
-    std::size_t unbounded = 0;      ///< results without a finite bound
+    std::size_t above_zero = 0;  ///< results whose derived bound for this driver was above 0
+    std::size_t unbounded = 0;   ///< results without a finite bound
     std::vector<std::string> failures;
 };
 
