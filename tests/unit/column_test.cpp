@@ -9,6 +9,7 @@
 
 #include "error_metrics.hpp"
 #include "samplers.hpp"
+#include "scenes.hpp"
 #include "story.hpp"
 #include "table.hpp"
 
@@ -16,16 +17,6 @@ using namespace airlight_test;
 using namespace airlight;
 
 namespace {
-
-struct Lorentzian : DefaultScene {
-    static constexpr int ozone = ozone_lorentzian;
-};
-struct NoMie : DefaultScene {
-    static constexpr bool mie = false;
-};
-struct NoOzone : DefaultScene {
-    static constexpr int ozone = ozone_none;
-};
 
 // Air of the reference table: the default Earth; the Lorentz profile has its own numbers.
 template <typename T>

@@ -6,25 +6,13 @@
 #include <airlight/optical_depth.hpp>
 
 #include "samplers.hpp"
+#include "scenes.hpp"
 #include "story.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
 
 namespace {
-
-struct Lorentzian : DefaultScene {
-    static constexpr int ozone = ozone_lorentzian;
-};
-struct NoMie : DefaultScene {
-    static constexpr bool mie = false;
-};
-struct NoOzone : DefaultScene {
-    static constexpr int ozone = ozone_none;
-};
-struct FewSteps : DefaultScene {
-    static constexpr int column_steps = 4;
-};
 
 template <typename T>
 void check_same(const vec3<T>& a, const vec3<T>& b) {
@@ -158,7 +146,7 @@ TEST_CASE_TEMPLATE("the scene's column_steps is the number of steps, apart from 
                    double, long double) {
     // Our reading of a source that passes one step count for both loops.
     const Column<T> air = column_marched<T>(earth<T>(), T(100), T(0.3L), T(50000), 4);
-    check_same(optical_depth<T, FewSteps>(earth<T>(), T(100), T(0.3L), T(50000)),
+    check_same(optical_depth<T, Steps<4>>(earth<T>(), T(100), T(0.3L), T(50000)),
                column_optical_depth<T>(earth<T>(), air));  // exact: the same operations
 }
 

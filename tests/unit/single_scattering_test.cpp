@@ -10,6 +10,7 @@
 
 #include "error_metrics.hpp"
 #include "samplers.hpp"
+#include "scenes.hpp"
 #include "story.hpp"
 #include "table.hpp"
 
@@ -17,29 +18,6 @@ using namespace airlight_test;
 using namespace airlight;
 
 namespace {
-
-struct HenyeyGreenstein : DefaultScene {
-    static constexpr int mie_phase = phase_henyey_greenstein;
-};
-struct Fog : DefaultScene {
-    static constexpr int mie_phase = phase_fog;
-};
-struct NoMie : DefaultScene {
-    static constexpr bool mie = false;
-};
-struct NoOzone : DefaultScene {
-    static constexpr int ozone = ozone_none;
-};
-struct Lorentzian : DefaultScene {
-    static constexpr int ozone = ozone_lorentzian;
-};
-struct NoShadow : DefaultScene {
-    static constexpr bool planet_shadow = false;
-};
-template <int steps>
-struct Steps : DefaultScene {
-    static constexpr int column_steps = steps;
-};
 
 // Share of sunlight, the same everywhere.
 struct Shaded {

@@ -6,19 +6,13 @@
 #include <airlight/transmittance.hpp>
 
 #include "samplers.hpp"
+#include "scenes.hpp"
 #include "story.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
 
 namespace {
-
-struct NoShadow : DefaultScene {
-    static constexpr bool planet_shadow = false;
-};
-struct NoMie : DefaultScene {
-    static constexpr bool mie = false;
-};
 
 template <typename T>
 void check_same(const vec3<T>& a, const vec3<T>& b) {

@@ -1,0 +1,31 @@
+#pragma once
+
+// Scenes with one term or setting that differs from the default.
+#include <airlight/scene.hpp>
+
+namespace airlight_test {
+
+struct NoMie : airlight::DefaultScene {
+    static constexpr bool mie = false;
+};
+struct NoOzone : airlight::DefaultScene {
+    static constexpr int ozone = airlight::ozone_none;
+};
+struct Lorentzian : airlight::DefaultScene {
+    static constexpr int ozone = airlight::ozone_lorentzian;
+};
+struct HenyeyGreenstein : airlight::DefaultScene {
+    static constexpr int mie_phase = airlight::phase_henyey_greenstein;
+};
+struct Fog : airlight::DefaultScene {
+    static constexpr int mie_phase = airlight::phase_fog;
+};
+struct NoShadow : airlight::DefaultScene {
+    static constexpr bool planet_shadow = false;
+};
+template <int steps, typename Scene = airlight::DefaultScene>
+struct Steps : Scene {
+    static constexpr int column_steps = steps;
+};
+
+}  // namespace airlight_test
