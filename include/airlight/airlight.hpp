@@ -8,6 +8,7 @@
 
 #include <airlight/numeric.hpp>
 
+#include <airlight/chapman.hpp>
 #include <airlight/color.hpp>
 #include <airlight/density.hpp>
 #include <airlight/phase.hpp>

@@ -114,7 +114,8 @@ T exponential_column(T ground_radius, const AirPath<T>& path, T scale_height) {
     }
     const T end_along = path.along + path.extent;
     const T begin_radius = ground_radius + path.begin_altitude;
-    const T end_radius = glm::max(ground_radius + path.end_altitude, glm::abs(end_along));
+    const T end_radius =
+        glm::max(ground_radius + path.end_altitude, T(0.001L) * ground_radius);  // not the centre
     const bool through = path.along < T(0) && end_along > T(0);
 
     // How far the ends lie above the lowest point, from differences of squares.
@@ -143,8 +144,8 @@ T exponential_column(T ground_radius, const AirPath<T>& path, T scale_height) {
                       chapman(end_radius / scale_height, glm::min(glm::abs(end_along) / end_radius, T(1)),
                               glm::min(path.perigee_radius / end_radius, T(1)));
     if (through) {
-        const T half = chapman(path.perigee_radius / scale_height, T(0), T(1));
-        return scale_height * low_density * glm::max(T(2) * half - begin_air - end_air, T(0));
+        const T at_perigee = chapman(path.perigee_radius / scale_height, T(0), T(1));
+        return scale_height * low_density * glm::max(T(2) * at_perigee - begin_air - end_air, T(0));
     }
     return scale_height * low_density * glm::abs(begin_air - end_air);
 }
