@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -32,61 +30,17 @@ struct Options {
     bool list = false;
 };
 
-const char* const usage =
-    "usage: parity [options]\n"
-    "Compares every function of the generated GLSL with the C++ headers on the GPU of this machine.\n"
-    "  --glsl <folder>      the generated GLSL and its manifest.json (default: that of the source tree)\n"
-    "  --one-file           take every function from airlight.glsl instead of its own file\n"
-    "  --function <name>    this function only\n"
-    "  --share <number>     of each row's inputs, 1 is all (default 1)\n"
-    "  --seed <number>      of the inputs\n"
-    "  --write <file>       write the accuracy page (only when everything passes)\n"
-    "  --check-page <file>  only check that the accuracy page lists every function; needs no OpenGL\n"
-    "  --list               print the rows and exit\n"
-    "  --help               this text\n"
-    "Exit status: 0 all pass, 1 something differs, 2 wrong use, 77 no OpenGL on this machine.\n";
-
-Options parse(int argc, char** argv) {
-    Options options;
-    for (int i = 1; i < argc; ++i) {
-        const std::string option = argv[i];
-        const auto value = [&] {
-            if (i + 1 >= argc) {
-                throw UsageError(option + " needs a value");
+/// Decimal digits only: by itself CLI11 reads 0x10 and takes 010 for octal.
+CLI::Validator whole_number() {
+    return CLI::Validator(
+        [](std::string& text) {
+            if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos) {
+                return "needs a whole number, not '" + text + "'";
             }
-            return std::string(argv[++i]);
-        };
-        if (option == "--glsl") {
-            options.glsl.folder = value();
-        } else if (option == "--one-file") {
-            options.glsl.one_file = true;
-        } else if (option == "--function") {
-            options.function = value();
-        } else if (option == "--share") {
-            const std::string text = value();
-            char* end = nullptr;
-            options.settings.share = std::strtod(text.c_str(), &end);
-            if (*end != '\0' || !(options.settings.share > 0)) {
-                throw UsageError("--share needs a number above 0, not '" + text + "'");
-            }
-        } else if (option == "--seed") {
-            const std::string text = value();
-            char* end = nullptr;
-            options.settings.seed = std::strtoull(text.c_str(), &end, 10);
-            if (*end != '\0' || text.empty()) {
-                throw UsageError("--seed needs a whole number, not '" + text + "'");
-            }
-        } else if (option == "--write") {
-            options.write = value();
-        } else if (option == "--check-page") {
-            options.check_page = value();
-        } else if (option == "--list") {
-            options.list = true;
-        } else {
-            throw UsageError("unknown option '" + option + "'");
-        }
-    }
-    return options;
+            text.erase(0, std::min(text.find_first_not_of('0'), text.size() - 1));
+            return std::string();
+        },
+        "");
 }
 
 /// Rows without a function and functions without a row, each as one line.
@@ -260,6 +214,22 @@ int run(const Options& options) {
 }  // namespace parity
 
 int main(int argc, char** argv) {
-    return parity::guarded_main(argc, argv, parity::usage,
-                                [&] { return parity::run(parity::parse(argc, argv)); });
+    parity::Options options;
+    CLI::App app(
+        "Compares every function of the generated GLSL with the C++ headers on the GPU of this machine.",
+        "parity");
+    parity::add_glsl(app, options.glsl);
+    parity::add_switch(app, "--one-file", options.glsl.one_file,
+                       "take every function from airlight.glsl instead of its own file");
+    parity::add_value(app, "--function", "<name>", options.function, "this function only");
+    parity::add_share(app, options.settings.share, "1");
+    parity::add_value(app, "--seed", "<number>", options.settings.seed, "of the inputs")
+        ->transform(parity::whole_number());
+    parity::add_value(app, "--write", "<file>", options.write,
+                      "write the accuracy page (only when everything passes)");
+    parity::add_value(app, "--check-page", "<file>", options.check_page,
+                      "only check that the accuracy page lists every function; needs no OpenGL");
+    parity::add_switch(app, "--list", options.list, "print the rows and exit");
+    app.footer("Exit status: 0 all pass, 1 something differs, 2 wrong use, 77 no OpenGL on this machine.");
+    return parity::guarded_main(app, argc, argv, [&] { return parity::run(options); });
 }

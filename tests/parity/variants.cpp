@@ -26,38 +26,6 @@ struct Options {
     std::string only;  // "" for all parts
 };
 
-const char* const usage =
-    "usage: parity_variants [options]\n"
-    "Compiles every generated GLSL file in every version and with every flag on this machine's driver, "
-    "compares\n"
-    "terms that are off with coefficients of zero, and checks that an edited shader is noticed.\n"
-    "  --glsl <folder>   the generated GLSL and its manifest.json (default: that of the source tree)\n"
-    "  --only <part>     compile, off or edits\n"
-    "  --help            this text\n"
-    "Exit status: 0 all pass, 1 something fails, 2 wrong use, 77 no OpenGL on this machine.\n";
-
-Options parse(int argc, char** argv) {
-    Options options;
-    for (int i = 1; i < argc; ++i) {
-        const std::string option = argv[i];
-        if (option != "--glsl" && option != "--only") {
-            throw UsageError("unknown option '" + option + "'");
-        }
-        if (i + 1 >= argc) {
-            throw UsageError(option + " needs a value");
-        }
-        if (option == "--glsl") {
-            options.glsl.folder = argv[++i];
-        } else {
-            options.only = argv[++i];
-            if (options.only != "compile" && options.only != "off" && options.only != "edits") {
-                throw UsageError("--only takes compile, off or edits, not '" + options.only + "'");
-            }
-        }
-    }
-    return options;
-}
-
 // ---- every file, alone, with each flag ----
 
 /// All values a flag is compiled with; for a count its default and another one.
@@ -413,6 +381,15 @@ int run(const Options& options) {
 }  // namespace parity
 
 int main(int argc, char** argv) {
-    return parity::guarded_main(argc, argv, parity::usage,
-                                [&] { return parity::run(parity::parse(argc, argv)); });
+    parity::Options options;
+    CLI::App app(
+        "Compiles every generated GLSL file in every version and with every flag on this machine's driver, "
+        "compares\n"
+        "terms that are off with coefficients of zero, and checks that an edited shader is noticed.",
+        "parity_variants");
+    parity::add_glsl(app, options.glsl);
+    parity::add_value(app, "--only", "<part>", options.only, "compile, off or edits")
+        ->check(CLI::IsMember({"compile", "off", "edits"}));
+    app.footer("Exit status: 0 all pass, 1 something fails, 2 wrong use, 77 no OpenGL on this machine.");
+    return parity::guarded_main(app, argc, argv, [&] { return parity::run(options); });
 }

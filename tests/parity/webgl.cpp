@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -26,41 +27,6 @@ struct Options {
     GlslFolder glsl{AIRLIGHT_PARITY_GLSL_DIR, true};
     double share = 1.0 / 16;
 };
-
-const char* const usage =
-    "usage: parity_webgl [options]\n"
-    "Compares every function of glsl/airlight.glsl, as GLSL ES 3.00 in WebGL 2, with the C++ headers.\n"
-    "  --glsl <folder>   the generated GLSL and its manifest.json (default: that of the source tree)\n"
-    "  --share <number>  of each row's inputs, 1 is all (default 0.0625)\n"
-    "  --help            this text\n"
-    "Environment: AIRLIGHT_CHROMIUM         the browser (default: chromium, chromium-browser, "
-    "google-chrome)\n"
-    "             AIRLIGHT_REQUIRE_WEBGL=1  a machine without one is a failure, not a skip\n"
-    "Exit status: 0 all pass, 1 something differs, 2 wrong use, 77 no browser on this machine.\n";
-
-Options parse(int argc, char** argv) {
-    Options options;
-    for (int i = 1; i < argc; ++i) {
-        const std::string option = argv[i];
-        if (option != "--glsl" && option != "--share") {
-            throw UsageError("unknown option '" + option + "'");
-        }
-        if (i + 1 >= argc) {
-            throw UsageError(option + " needs a value");
-        }
-        const std::string value = argv[++i];
-        if (option == "--glsl") {
-            options.glsl.folder = value;
-        } else {
-            char* end = nullptr;
-            options.share = std::strtod(value.c_str(), &end);
-            if (*end != '\0' || !(options.share > 0)) {
-                throw UsageError("--share needs a number above 0, not '" + value + "'");
-            }
-        }
-    }
-    return options;
-}
 
 const char* const letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
@@ -312,6 +278,16 @@ int run(const Options& options) {
 }  // namespace parity
 
 int main(int argc, char** argv) {
-    return parity::guarded_main(argc, argv, parity::usage,
-                                [&] { return parity::run(parity::parse(argc, argv)); });
+    parity::Options options;
+    CLI::App app(
+        "Compares every function of glsl/airlight.glsl, as GLSL ES 3.00 in WebGL 2, with the C++ headers.",
+        "parity_webgl");
+    parity::add_glsl(app, options.glsl);
+    parity::add_share(app, options.share, "0.0625");
+    app.footer(
+        "Environment: AIRLIGHT_CHROMIUM         the browser (default: chromium, chromium-browser, "
+        "google-chrome)\n"
+        "             AIRLIGHT_REQUIRE_WEBGL=1  a machine without one is a failure, not a skip\n"
+        "Exit status: 0 all pass, 1 something differs, 2 wrong use, 77 no browser on this machine.");
+    return parity::guarded_main(app, argc, argv, [&] { return parity::run(options); });
 }
