@@ -50,8 +50,8 @@ float airlight_no_surface() {
 // Water droplets; Atmosphere::mie_g is then the droplet diameter in micrometres.
 #define AIRLIGHT_PHASE_FOG 2
 
-// The terms a scene is compiled with. Derive from it and redefine what differs; a term
-// that is off costs nothing.
+// The terms a scene is compiled with; one that is off costs nothing. In C++ derive from it and
+// redefine what differs.
 //
 // In GLSL a macro that is defined before this line stays as it is.
 
@@ -396,7 +396,7 @@ float airlight_henyey_greenstein_phase(float cos_theta, float g) {
 // Source:   Bruneton, Precomputed Atmospheric Scattering (2017), functions.glsl.
 float airlight_cornette_shanks_phase(float cos_theta, float g) {
     float d = airlight_henyey_greenstein_denominator(cos_theta, g);
-    float norm = 3.0 / (8.0 * airlight_pi) * ((1.0 - g) * (1.0 + g)) / (2.0 + g * g);
+    float norm = 3.0 * ((1.0 - g) * (1.0 + g)) / (8.0 * airlight_pi * (2.0 + g * g));
     return norm * (1.0 + cos_theta * cos_theta) / (d * sqrt(d));
 }
 

@@ -80,7 +80,7 @@ float airlight_henyey_greenstein_phase(float cos_theta, float g) {
 // Source:   Bruneton, Precomputed Atmospheric Scattering (2017), functions.glsl.
 float airlight_cornette_shanks_phase(float cos_theta, float g) {
     float d = airlight_henyey_greenstein_denominator(cos_theta, g);
-    float norm = 3.0 / (8.0 * airlight_pi) * ((1.0 - g) * (1.0 + g)) / (2.0 + g * g);
+    float norm = 3.0 * ((1.0 - g) * (1.0 + g)) / (8.0 * airlight_pi * (2.0 + g * g));
     return norm * (1.0 + cos_theta * cos_theta) / (d * sqrt(d));
 }
 

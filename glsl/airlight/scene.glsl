@@ -16,8 +16,8 @@
 // Water droplets; Atmosphere::mie_g is then the droplet diameter in micrometres.
 #define AIRLIGHT_PHASE_FOG 2
 
-// The terms a scene is compiled with. Derive from it and redefine what differs; a term
-// that is off costs nothing.
+// The terms a scene is compiled with; one that is off costs nothing. In C++ derive from it and
+// redefine what differs.
 //
 // In GLSL a macro that is defined before this line stays as it is.
 

@@ -86,7 +86,7 @@ T henyey_greenstein_phase(T cos_theta, T g) {
 template <typename T>
 T cornette_shanks_phase(T cos_theta, T g) {
     const T d = henyey_greenstein_denominator(cos_theta, g);
-    const T norm = T(3) / (T(8) * pi<T>)*((T(1) - g) * (T(1) + g)) / (T(2) + g * g);
+    const T norm = T(3) * ((T(1) - g) * (T(1) + g)) / (T(8) * pi<T> * (T(2) + g * g));
     return norm * (T(1) + cos_theta * cos_theta) / (d * glm::sqrt(d));
 }
 

@@ -18,8 +18,8 @@ inline constexpr int phase_henyey_greenstein = 1;
 /// Water droplets; Atmosphere::mie_g is then the droplet diameter in micrometres.
 inline constexpr int phase_fog = 2;
 
-/// The terms a scene is compiled with. Derive from it and redefine what differs; a term
-/// that is off costs nothing.
+/// The terms a scene is compiled with; one that is off costs nothing. In C++ derive from it and
+/// redefine what differs.
 struct DefaultScene {
     static constexpr bool mie = true;                        ///< aerosol
     static constexpr int ozone = ozone_tent;                 ///< profile of the absorbing layer

@@ -104,9 +104,9 @@ inline void add_share(CLI::App& app, double& share, const std::string& default_t
     const CLI::Validator above_zero(
         [](std::string& text) {
             double number = 0;
-            return CLI::detail::lexical_cast(text, number) && number > 0
+            return CLI::detail::lexical_cast(text, number) && number > 0 && number <= 1000
                        ? std::string()
-                       : "needs a number above 0, not '" + text + "'";
+                       : "needs a number above 0 and up to 1000, not '" + text + "'";
         },
         "");
     add_value(app, "--share", "<number>", share,
