@@ -156,17 +156,19 @@ T exponential_column(T ground_radius, const AirPath<T>& path, T scale_height) {
 /// Differences of squares again: a short way between two high altitudes keeps its digits.
 ///
 /// Units:    ground_radius and shell_altitude [L]; result [L].
-/// Domain:   ground_radius > 0; any shell_altitude; a path of air_path.
+/// Domain:   ground_radius > 0; any shell_altitude, below the centre it counts as the centre's; a path
+///           of air_path.
 /// Accuracy: 4 roundoffs plus that of the difference of the altitudes.
 /// Errors:   none; a shell behind the begin gives a negative distance or 0, one below the closest
 ///           approach a distance past it on the way down and none past it on the way up.
 /// Source:   docs/theory/altitude.md.
 template <typename T>
 T distance_to_shell(T ground_radius, const AirPath<T>& path, T shell_altitude, bool climbing) {
-    const T over_perigee = shell_altitude - path.perigee_altitude;
-    const T s = safe_sqrt(over_perigee * (T(2) * ground_radius + shell_altitude + path.perigee_altitude));
-    const T over_begin = shell_altitude - path.begin_altitude;
-    const T difference = over_begin * (T(2) * ground_radius + shell_altitude + path.begin_altitude);
+    const T shell = glm::max(shell_altitude, -ground_radius);
+    const T over_perigee = shell - path.perigee_altitude;
+    const T s = safe_sqrt(over_perigee * (T(2) * ground_radius + shell + path.perigee_altitude));
+    const T over_begin = shell - path.begin_altitude;
+    const T difference = over_begin * (T(2) * ground_radius + shell + path.begin_altitude);
     if (climbing) {
         return path.along > T(0) ? difference / (s + path.along) : s - path.along;
     }
@@ -191,7 +193,7 @@ T layer_column(const Atmosphere<T>& atmosphere, const AirPath<T>& path, T low, T
         const T first = distance_to_shell(atmosphere.ground_radius, path, climbing ? low : high, climbing);
         const T last = distance_to_shell(atmosphere.ground_radius, path, climbing ? high : low, climbing);
         const T from = glm::clamp(first, climbing ? turn : T(0), climbing ? path.extent : turn);
-        const T to = glm::clamp(last, climbing ? turn : T(0), climbing ? path.extent : turn);
+        const T to = glm::max(glm::clamp(last, climbing ? turn : T(0), climbing ? path.extent : turn), from);
         for (int i = 0; i < 4; ++i) {
             const T t = from + gauss_4_positions<T>[i] * (to - from);
             const T altitude =
