@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <limits>
 
 #include <doctest/doctest.h>
@@ -43,6 +45,24 @@ Atmosphere<T> even_air(T ground_radius, T top_altitude) {
 // Error of a column in double against a table's row.
 double column_error(double got, long double expected) {
     return static_cast<double>(std::fabs(static_cast<long double>(got) - expected));
+}
+
+// Molecules only.
+struct Bare : NoMie {
+    static constexpr int ozone = ozone_none;
+};
+
+// The lowest point of a path.
+template <typename T>
+T lowest_altitude(const AirPath<T>& path) {
+    const bool through = path.along < T(0) && path.along + path.extent > T(0);
+    return through ? path.perigee_altitude : glm::min(path.begin_altitude, path.end_altitude);
+}
+
+// Amounts below this share of a scale height are all underflow.
+template <typename T>
+long double smallest_matter(long double scale_height) {
+    return scale_height * std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
 }
 
 }  // namespace
@@ -396,6 +416,491 @@ TEST_CASE_TEMPLATE("no distance, no steps, no air, no column", T, float, double,
     thin.ozone_half_width = T(0);
     check_nothing(column_marched<T>(thin, T(0), T(1), no_surface<T>(), 32));
     check_nothing(column_marched<T, Lorentzian>(thin, T(0), T(1), no_surface<T>(), 32));
+}
+
+TEST_CASE_TEMPLATE("a path straight up ends at the top, one straight down is measured from its perigee", T,
+                   float, double, long double) {
+    // Small integers, exact in every type.
+    const Atmosphere<T> planet = even_air(T(6400), T(100));
+    const AirPath<T> up = air_path(planet, T(10), T(1), no_surface<T>());
+    CHECK(up.extent == T(90));
+    CHECK(up.along == T(6410));
+    CHECK(up.begin_altitude == T(10));
+    CHECK(up.end_altitude == T(100));
+    CHECK(up.perigee_radius == T(0));
+    CHECK(up.perigee_altitude == T(-6400));
+    const AirPath<T> down = air_path(planet, T(110), T(-1), T(40));
+    CHECK(down.extent == T(30));
+    CHECK(down.along == T(-6500));
+    CHECK(down.begin_altitude == T(100));
+    CHECK(down.end_altitude == T(70));
+    const AirPath<T> level = air_path(planet, T(10), T(0), T(0));
+    CHECK(level.extent == T(0));
+    CHECK(level.perigee_radius == T(6410));
+    CHECK(level.perigee_altitude == T(10));
+}
+
+TEST_CASE_TEMPLATE("to a shell straight above or below it is the difference of altitudes", T, float, double,
+                   long double) {
+    const Atmosphere<T> planet = even_air(T(6400), T(100));
+    const AirPath<T> up = air_path(planet, T(10), T(1), no_surface<T>());
+    const AirPath<T> down = air_path(planet, T(90), T(-1), no_surface<T>());
+    // 4 roundoffs of the docstring are at most 4 ulp.
+    CHECK_WITHIN(compare_ulp("distance_to_shell", {}, distance_to_shell(T(6400), up, T(42), true), 32.0L),
+                 4.0L);
+    CHECK_WITHIN(compare_ulp("distance_to_shell", {}, distance_to_shell(T(6400), down, T(42), false), 48.0L),
+                 4.0L);
+    CHECK(distance_to_shell(T(6400), up, T(10), true) == T(0));  // exact: the factor 42 - 42
+    CHECK(distance_to_shell(T(6400), up, T(4), true) <= T(0));   // behind the begin
+}
+
+TEST_CASE_TEMPLATE("a vertical column in closed form holds one scale height, and the tent its half width", T,
+                   float, double, long double) {
+    const Column<T> air = column_to_space<T>(earth<T>(), T(0), T(1));
+    // 3e-7 by the docstring of exponential_column and 20 roundoffs; 1e-6 for the tent by that of
+    // ozone_column, and the roundoff of the radius over the half width, 424.
+    const long double u = std::numeric_limits<T>::epsilon() / 2;
+    CHECK_WITHIN(
+        compare_relative("column_to_space.rayleigh", {}, air.rayleigh, 8000.0L * (1 - std::exp(-12.5L))),
+        3e-7L + 20 * u);
+    CHECK_WITHIN(compare_relative("column_to_space.mie", {}, air.mie, 1200.0L), 3e-7L + 20 * u);
+    CHECK_WITHIN(compare_relative("column_to_space.ozone", {}, air.ozone, 15000.0L), 1e-6L + 424 * u);
+}
+
+TEST_CASE_TEMPLATE("in air of density 1 the closed form is the distance", T, float, double, long double) {
+    const Atmosphere<T> planet = even_air(T(6400), T(100));
+    for (const T mu : {T(1), T(0.5), T(0), T(-0.0625)}) {
+        const Column<T> air = column<T>(planet, T(30), mu, T(64));
+        // Four weights that sum to 1, each product and sum rounding once; the tent's shells lie 1e30 away.
+        CHECK_WITHIN(compare_ulp("column.rayleigh", {{"mu", mu}}, air.rayleigh, 64.0L), 6.0L);
+        CHECK_WITHIN(compare_ulp("column.mie", {{"mu", mu}}, air.mie, 64.0L), 6.0L);
+    }
+}
+
+TEST_CASE_TEMPLATE("in closed form columns add up along a ray split anywhere", T, float, double,
+                   long double) {
+    Random random(301);
+    const Atmosphere<T> planet = earth<T>();
+    Worst rayleigh;
+    Worst mie;
+    Worst tent;
+    for (int i = 0; i < 5000; ++i) {
+        const T h = T(random.log_uniform(1, 9e4));
+        const T mu = T(random.uniform(-1, 1));
+        const T distance = T(random.log_uniform(10, 1e6));
+        const T first_length = T(random.uniform(0.05, 0.95)) * distance;
+        if (lowest_altitude(air_path(planet, h, mu, distance)) < T(0)) {
+            continue;
+        }
+        const T along = (planet.ground_radius + h) * mu;
+        const T h_split = altitude_along_ray(planet.ground_radius, h, along, first_length);
+        if (h_split >= planet.top_altitude) {
+            continue;
+        }
+        const T mu_split = glm::clamp((along + first_length) / (planet.ground_radius + h_split), T(-1), T(1));
+        const Column<T> whole = column<T>(planet, h, mu, distance);
+        const Column<T> first = column<T>(planet, h, mu, first_length);
+        const Column<T> second = column<T>(planet, h_split, mu_split, distance - first_length);
+        // Roundoffs of the altitude that every density stems from: the split's, and what its cosine and both
+        // lengths move the far end or the perigee by.
+        const long double moved = static_cast<long double>(h_split) + static_cast<long double>(distance);
+        const auto add = [&](Worst& worst, const char* name, T parts, T all, long double model,
+                             long double scale_height) {
+            const long double u = std::numeric_limits<T>::epsilon() / 2;
+            const long double f = static_cast<long double>(all);
+            worst.add(compare_roundoffs(
+                name, {{"altitude", h}, {"mu", mu}, {"distance", distance}, {"first", first_length}}, parts,
+                f, f * (60 + 6 * moved / scale_height + 2 * model / u) + smallest_matter<T>(scale_height)));
+        };
+        add(rayleigh, "column.rayleigh", first.rayleigh + second.rayleigh, whole.rayleigh, 3e-7L, 8000);
+        add(mie, "column.mie", first.mie + second.mie, whole.mie, 3e-7L, 1200);
+        // The tent's feet: an altitude off by 6 roundoffs counts by the slope over all the way in the layer.
+        const long double slope = 6 * moved / 15000;
+        tent.add(compare_roundoffs(
+            "column.ozone", {{"altitude", h}, {"mu", mu}, {"distance", distance}, {"first", first_length}},
+            first.ozone + second.ozone, static_cast<long double>(whole.ozone),
+            whole.ozone * (60 + 424 + 2e-6L / (std::numeric_limits<T>::epsilon() / 2)) +
+                slope * air_path(planet, h, mu, distance).extent + smallest_matter<T>(15000)));
+    }
+    CHECK(rayleigh.count() > 1000);
+    rayleigh.print("split rays, share of the bound");
+    mie.print("split rays, share of the bound");
+    tent.print("split rays, share of the bound");
+    // Twice the modelling error, once for each sum that holds it; 20 roundoffs of three columns.
+    CHECK_WORST(rayleigh, 1.0L);
+    CHECK_WORST(mie, 1.0L);
+    CHECK_WORST(tent, 1.0L);
+}
+
+TEST_CASE_TEMPLATE("in closed form the air is the same from either end", T, float, double, long double) {
+    Random random(302);
+    const Atmosphere<T> planet = earth<T>();
+    Worst rayleigh;
+    Worst mie;
+    Worst tent;
+    for (int i = 0; i < 5000; ++i) {
+        const T h = T(random.log_uniform(1, 9e4));
+        const T mu = T(random.uniform(-1, 1));
+        const T distance = T(random.log_uniform(10, 1e6));
+        const T along = (planet.ground_radius + h) * mu;
+        const T h_end = altitude_along_ray(planet.ground_radius, h, along, distance);
+        if (h_end >= planet.top_altitude || lowest_altitude(air_path(planet, h, mu, distance)) < T(0)) {
+            continue;
+        }
+        const T mu_back = glm::clamp(-(along + distance) / (planet.ground_radius + h_end), T(-1), T(1));
+        const Column<T> there = column<T>(planet, h, mu, distance);
+        const Column<T> back = column<T>(planet, h_end, mu_back, distance);
+        // As above; the modelling error is that of one and the same path, and counts only where rounding
+        // puts the two on different sides of the choice of formula.
+        const long double moved = static_cast<long double>(h_end) + static_cast<long double>(distance);
+        const auto add = [&](Worst& worst, const char* name, T got, T expected, long double model,
+                             long double scale_height) {
+            const long double u = std::numeric_limits<T>::epsilon() / 2;
+            const long double f = static_cast<long double>(expected);
+            worst.add(compare_roundoffs(
+                name, {{"altitude", h}, {"mu", mu}, {"distance", distance}}, got, f,
+                f * (40 + 6 * moved / scale_height + 2 * model / u) + smallest_matter<T>(scale_height)));
+        };
+        add(rayleigh, "column.rayleigh", back.rayleigh, there.rayleigh, 3e-7L, 8000);
+        add(mie, "column.mie", back.mie, there.mie, 3e-7L, 1200);
+        const long double slope = 6 * moved / 15000;  // the tent's feet, as above
+        tent.add(compare_roundoffs(
+            "column.ozone", {{"altitude", h}, {"mu", mu}, {"distance", distance}}, back.ozone,
+            static_cast<long double>(there.ozone),
+            there.ozone * (40 + 424 + 2e-6L / (std::numeric_limits<T>::epsilon() / 2)) +
+                slope * air_path(planet, h, mu, distance).extent + smallest_matter<T>(15000)));
+    }
+    CHECK(rayleigh.count() > 1000);
+    CHECK_WORST(rayleigh, 1.0L);
+    CHECK_WORST(mie, 1.0L);
+    CHECK_WORST(tent, 1.0L);
+}
+
+TEST_CASE_TEMPLATE("a longer way holds more air", T, float, double) {
+    Random random(303);
+    const Atmosphere<T> planet = earth<T>();
+    const long double u = std::numeric_limits<T>::epsilon() / 2;
+    for (int i = 0; i < 500; ++i) {
+        const T h = T(random.log_uniform(0.1, 2e5));
+        const T mu = T(random.uniform(-1, 1));
+        Column<T> before = Column<T>{T(0), T(0), T(0)};
+        for (T distance = T(0.01L); distance < T(1e6); distance *= T(1.05L)) {
+            if (lowest_altitude(air_path(planet, h, mu, distance)) < T(0)) {
+                break;
+            }
+            const Column<T> air = column<T>(planet, h, mu, distance);
+            CAPTURE(exact(static_cast<long double>(h)));
+            CAPTURE(exact(static_cast<long double>(mu)));
+            CAPTURE(exact(static_cast<long double>(distance)));
+            // Never less, to twice the docstrings' accuracy where hardly any air is left to meet: modelling
+            // error, 20 roundoffs, and 3 roundoffs of altitude over scale height.
+            const long double rounding = 2 * u * (20 + 3 * (static_cast<long double>(h + distance) / 1200));
+            CHECK(static_cast<long double>(air.rayleigh) >=
+                  static_cast<long double>(before.rayleigh) * (1 - 6e-7L - rounding));
+            CHECK(static_cast<long double>(air.mie) >=
+                  static_cast<long double>(before.mie) * (1 - 6e-7L - rounding));
+            CHECK(static_cast<long double>(air.ozone) >=
+                  static_cast<long double>(before.ozone) * (1 - 2e-6L - rounding - 424 * u));
+            before = air;
+        }
+    }
+}
+
+TEST_CASE_TEMPLATE("closed-form columns scale exactly with the unit of length", T, float, double,
+                   long double) {
+    const T k = 1024;  // exact: a power of two
+    Random random(304);
+    const Atmosphere<T> planet = lorentzian_earth<T>();
+    const Atmosphere<T> scaled = rescaled(planet, k);
+    for (int i = 0; i < 2000; ++i) {
+        const T h = T(random.log_uniform(0.1, 1e6));
+        const T mu = T(random.uniform(-1, 1));
+        const T distance = random.below(2) == 0 ? no_surface<T>() : T(random.log_uniform(1e-3, 1e6));
+        const Column<T> a = column<T, Lorentzian>(planet, h, mu, distance);
+        const Column<T> b = column<T, Lorentzian>(scaled, k * h, mu, k * distance);
+        const Column<T> tent = column<T>(planet, h, mu, distance);
+        const Column<T> scaled_tent = column<T>(scaled, k * h, mu, k * distance);
+        CHECK_EQUAL(
+            compare_ulp("column.rayleigh", {{"altitude", h}, {"mu", mu}}, b.rayleigh, k * a.rayleigh));
+        CHECK_EQUAL(compare_ulp("column.ozone", {{"altitude", h}, {"mu", mu}}, b.ozone, k * a.ozone));
+        CHECK_EQUAL(
+            compare_ulp("column.ozone", {{"altitude", h}, {"mu", mu}}, scaled_tent.ozone, k * tent.ozone));
+        if (static_cast<long double>(a.mie) < smallest_matter<T>(1200)) {
+            continue;  // an amount below the normal numbers cannot be scaled exactly
+        }
+        CHECK_EQUAL(compare_ulp("column.mie", {{"altitude", h}, {"mu", mu}}, b.mie, k * a.mie));
+    }
+}
+
+TEST_CASE_TEMPLATE("exponential_column gives the integral of 50 digits, above the ground", T, float, double,
+                   long double) {
+    Worst worst;
+    Worst per_x[3];
+    for (const Row& row : reference("exponential_column")) {
+        Atmosphere<T> planet = earth<T>();
+        planet.ground_radius = row.input<T>("ground_radius");
+        planet.top_altitude = T(480000);
+        const T x = row.input<T>("x");
+        const T h = row.input<T>("altitude");
+        const T mu = row.input<T>("mu");
+        const T distance = row.text("distance") == "none" ? no_surface<T>() : row.input<T>("distance");
+        const T got = exponential_column(planet.ground_radius, air_path(planet, h, mu, distance), T(8000));
+        const long double expected = row.expected("column");
+        // The docstring's errors of the expansion.
+        const long double model = x >= T(800) ? 3e-7L : x >= T(100) ? 2e-6L : 1.7e-5L;
+        const long double u = std::numeric_limits<T>::epsilon() / 2;
+        worst.add(compare_roundoffs(
+            "exponential_column",
+            {{"radius", planet.ground_radius}, {"altitude", h}, {"mu", mu}, {"distance", distance}}, got,
+            expected, 20 * row.expected("condition") + expected * model / u));
+        per_x[x >= T(800)   ? 2
+              : x >= T(100) ? 1
+                            : 0]
+            .add(compare_relative(
+                "exponential_column",
+                {{"radius", planet.ground_radius}, {"altitude", h}, {"mu", mu}, {"distance", distance}}, got,
+                expected));
+    }
+    per_x[0].print("at radius / scale height = 50");
+    per_x[1].print("at 100");
+    per_x[2].print("from 800 on");
+    worst.print("share of the modelling error and 20 roundoffs times condition");
+    CHECK(worst.count() > 100);
+    CHECK_WORST(worst, 1.0L);  // both are in the condition
+}
+
+TEST_CASE_TEMPLATE(
+    "the closed form gives the exact column of 50 digits wherever the ray stays above the ground", T, float,
+    double, long double) {
+    Worst rayleigh;
+    Worst mie;
+    Worst tent;
+    Worst lorentzian;
+    Worst relative[4];
+    for (const Row& row : reference("column")) {
+        const T h = row.input<T>("altitude");
+        const T mu = row.input<T>("mu");
+        const T distance = row.text("distance") == "none" ? no_surface<T>() : row.input<T>("distance");
+        if (lowest_altitude(air_path(earth<T>(), h, mu, distance)) < T(-1)) {
+            continue;  // dips below the ground, where the closed form goes on growing; rounding is below 1 m
+        }
+        const Column<T> air = column<T>(earth<T>(), h, mu, distance);
+        const Column<T> other = column<T, Lorentzian>(lorentzian_earth<T>(), h, mu, distance);
+        // The table's condition is that of the midpoint sum: a roundoff of the altitude on the shortest scale
+        // height. From beyond the air mu moves the perigee by the planet's radius times its roundoff.
+        const long double condition =
+            row.expected("condition") + (static_cast<long double>(h) > 1e5L ? 6e6L / 1200 : 0.0L);
+        const auto add = [&](int which, Worst& worst, const char* name, T got, const char* expected_name,
+                             long double model, long double roundoffs) {
+            const long double expected = row.expected(expected_name);
+            const long double u = std::numeric_limits<T>::epsilon() / 2;
+            worst.add(compare_roundoffs(name, {{"altitude", h}, {"mu", mu}, {"distance", distance}}, got,
+                                        expected,
+                                        expected == 0 ? std::numeric_limits<T>::min()
+                                                      : expected * (roundoffs + 6 * condition + model / u)));
+            relative[which].add(
+                compare_relative(name, {{"altitude", h}, {"mu", mu}, {"distance", distance}}, got, expected));
+        };
+        // 20 roundoffs by exponential_column; the radius over the thickness, 424 and 1590, by ozone_column.
+        add(0, rayleigh, "column.rayleigh", air.rayleigh, "rayleigh", 3e-7L, 20);
+        add(1, mie, "column.mie", air.mie, "mie", 3e-7L, 20);
+        add(2, tent, "column.tent", air.ozone, "tent", 1e-6L, 424);
+        add(3, lorentzian, "column.lorentzian", other.ozone, "lorentzian", 1e-4L, 1590);
+    }
+    for (const Worst& worst : relative) {
+        worst.print("against 50 digits");
+    }
+    CHECK(rayleigh.count() > 25);
+    // Modelling error, roundoffs and condition together make the unit.
+    CHECK_WORST(rayleigh, 1.0L);
+    CHECK_WORST(mie, 1.0L);
+    CHECK_WORST(tent, 1.0L);
+    CHECK_WORST(lorentzian, 1.0L);
+}
+
+TEST_CASE("the closed form is what marching with ever more steps tends to") {
+    Random random(305);
+    Worst rayleigh;
+    Worst mie;
+    Worst tent;
+    Worst lorentzian;
+    const Atmosphere<double> tent_air = earth<double>();
+    const Atmosphere<double> lorentzian_air = lorentzian_earth<double>();
+    for (int i = 0; i < 300; ++i) {
+        const double h = random.log_uniform(1, 9e4);
+        const double mu = i % 2 == 0 ? random.uniform(-1, 1) : random.uniform(-0.1, 0.1);
+        const double distance = random.log_uniform(100, 3e5);
+        if (lowest_altitude(air_path(tent_air, h, mu, distance)) < 0) {
+            continue;
+        }
+        const int steps = 6000;
+        const Column<double> marched = column_marched<double>(tent_air, h, mu, distance, steps);
+        const Column<double> closed = column<double>(tent_air, h, mu, distance);
+        const double other = column<double, Lorentzian>(lorentzian_air, h, mu, distance).ozone;
+        const double other_marched =
+            column_marched<double, Lorentzian>(lorentzian_air, h, mu, distance, steps).ozone;
+        // Midpoint error of steps of up to 50 m: h^2 / 24 H^2 is 2e-6 of Rayleigh and 7.3e-5 of Mie. The
+        // tent's corners cost a quarter of a step squared times the slope, over the amount met.
+        const std::initializer_list<Input> inputs = {{"altitude", h}, {"mu", mu}, {"distance", distance}};
+        rayleigh.add(compare_relative("column.rayleigh", inputs, closed.rayleigh, marched.rayleigh));
+        mie.add(compare_relative("column.mie", inputs, closed.mie, marched.mie));
+        if (marched.ozone > 1000) {
+            tent.add(compare_relative("column.tent", inputs, closed.ozone, marched.ozone));
+        }
+        lorentzian.add(compare_relative("column.lorentzian", inputs, other, other_marched));
+    }
+    rayleigh.print("against 6000 steps");
+    mie.print("against 6000 steps");
+    tent.print("against 6000 steps");
+    lorentzian.print("against 6000 steps");
+    CHECK(rayleigh.count() > 100);
+    CHECK_WORST(rayleigh, 2e-6L + 3e-7L);  // midpoint rule and docstring of exponential_column
+    CHECK_WORST(mie, 7.3e-5L + 3e-7L);     // as above
+    CHECK_WORST(tent, 2e-6L + 1e-6L);      // 3 corners of 50^2 / 4 / 15000 m on 1 km and more, and docstring
+    CHECK_WORST(lorentzian, 1e-4L + 1.3e-5L);  // docstring of ozone_column; midpoint on 4 km: h^2 / 12 w^2
+}
+
+TEST_CASE_TEMPLATE("in closed form a term that is off has no column and changes no other", T, float, double,
+                   long double) {
+    const Column<T> all = column_to_space<T>(earth<T>(), T(100), T(0.3L));
+    const Column<T> no_mie = column_to_space<T, NoMie>(earth<T>(), T(100), T(0.3L));
+    const Column<T> no_ozone = column_to_space<T, NoOzone>(earth<T>(), T(100), T(0.3L));
+    const Column<T> bare = column_to_space<T, Bare>(earth<T>(), T(100), T(0.3L));
+    CHECK(all.mie > T(0));
+    CHECK(all.ozone > T(0));
+    CHECK(no_mie.mie == T(0));
+    CHECK(no_mie.rayleigh == all.rayleigh);  // exact: the same operations
+    CHECK(no_mie.ozone == all.ozone);
+    CHECK(no_ozone.ozone == T(0));
+    CHECK(no_ozone.rayleigh == all.rayleigh);
+    CHECK(no_ozone.mie == all.mie);
+    CHECK(bare.rayleigh == all.rayleigh);
+    CHECK(bare.mie == T(0));
+    CHECK(bare.ozone == T(0));
+}
+
+TEST_CASE_TEMPLATE("in closed form a start below the ground counts as on it, a cosine past 1 as 1", T, float,
+                   double, long double) {
+    const Atmosphere<T> planet = earth<T>();
+    const auto check_same = [](const Column<T>& a, const Column<T>& b) {
+        CHECK(a.rayleigh == b.rayleigh);  // exact: the same numbers after clamping
+        CHECK(a.mie == b.mie);
+        CHECK(a.ozone == b.ozone);
+    };
+    for (const T depth : {T(1), T(1e5L), planet.ground_radius}) {
+        check_same(column_to_space<T>(planet, -depth, T(0.5)), column_to_space<T>(planet, T(0), T(0.5)));
+    }
+    const T past = T(1) + std::numeric_limits<T>::epsilon();
+    check_same(column_to_space<T>(planet, T(5000), past), column_to_space<T>(planet, T(5000), T(1)));
+    check_same(column<T>(planet, T(5000), -past, T(4000)), column<T>(planet, T(5000), T(-1), T(4000)));
+}
+
+TEST_CASE_TEMPLATE("below the ground the closed form grows with the depth and stays finite", T, float, double,
+                   long double) {
+    // Documented: nothing passes there, so what counts is that transmittance falls to 0 and nothing
+    // overflows.
+    const Column<T> shallow = column<T>(earth<T>(), T(0), T(-1), T(8000));
+    // One scale height down, H (e - 1); 3e-7 and 20 roundoffs by the docstring, 3 of the altitude of the end.
+    CHECK_WITHIN(compare_relative("column.rayleigh", {}, shallow.rayleigh, 8000.0L * std::expm1(1.0L)),
+                 3e-7L + 23 * (std::numeric_limits<T>::epsilon() / 2));
+    const Column<T> through = column<T>(earth<T>(), T(0), T(-1), no_surface<T>());
+    CHECK(through.rayleigh > T(1e20L));
+    CHECK(std::isfinite(through.rayleigh));
+    CHECK(std::isfinite(through.mie));
+    CHECK(std::isfinite(through.ozone));
+}
+
+TEST_CASE_TEMPLATE("in closed form no distance, no air, no thickness give no column", T, float, double,
+                   long double) {
+    const auto check_nothing = [](const Column<T>& air) {
+        CHECK(air.rayleigh == T(0));
+        CHECK(air.mie == T(0));
+        CHECK(air.ozone == T(0));
+    };
+    const Atmosphere<T> planet = earth<T>();
+    check_nothing(column<T>(planet, T(100), T(0.3L), T(0)));
+    check_nothing(column_to_space<T>(planet, T(200e3L), T(0.3L)));
+    check_nothing(column_to_space<T>(planet, T(200e3L), T(-0.1L)));
+    check_nothing(column<T>(planet, T(200e3L), T(-1), T(50e3L)));
+    Atmosphere<T> thin = planet;
+    thin.rayleigh_scale_height = T(0);
+    thin.mie_scale_height = T(0);
+    thin.ozone_half_width = T(0);
+    check_nothing(column_to_space<T>(thin, T(0), T(1)));
+    check_nothing(column_to_space<T, Lorentzian>(thin, T(0), T(1)));
+}
+
+TEST_CASE_TEMPLATE("a layer thicker than the planet still counts what lies above the ground", T, float,
+                   double, long double) {
+    Atmosphere<T> planet = even_air(T(1000), T(100));
+    planet.ozone_half_width = T(5000);
+    // Its lower shell lies past the centre, at -5000. Straight up 100 - 100^2 / (2 5000), by hand; a dozen
+    // roundings of the shells' distances and the samples on numbers up to 1100: 11 each of the result.
+    for (const T altitude : {T(0), T(20)}) {
+        const long double a = static_cast<long double>(altitude);
+        const Column<T> air = column_to_space<T>(planet, altitude, T(1));
+        CHECK_WITHIN(compare_ulp("column_to_space.ozone", {{"altitude", altitude}}, air.ozone,
+                                 (100 - a) - (100 * 100 - a * a) / 10000),
+                     12 * 11.0L);
+    }
+}
+
+TEST_CASE_TEMPLATE("every planet, ray and distance has a finite column that is not negative", T, float,
+                   double) {
+    Random random(306);
+    long bad = 0;
+    for (int i = 0; i < 200000; ++i) {
+        Atmosphere<T> planet = earth<T>();
+        const double radius = random.log_uniform(100, 7e7);
+        planet.ground_radius = T(radius);
+        planet.top_altitude = T(random.log_uniform(1, 2e6));
+        const auto thickness = [&] { return random.below(20) == 0 ? T(0) : T(random.log_uniform(0.1, 1e6)); };
+        planet.rayleigh_scale_height = thickness();
+        planet.mie_scale_height = thickness();
+        planet.ozone_half_width = thickness();
+        planet.ozone_altitude = T(random.log_uniform(1, 1e6));
+        const int where = random.below(5);
+        const T h = where == 0   ? T(0)
+                    : where == 1 ? -T(random.uniform(0, 1)) * planet.ground_radius
+                    : where == 2 ? planet.top_altitude
+                    : where == 3 ? T(random.log_uniform(1e-6, 1e12))
+                                 : T(random.uniform(0, 1)) * planet.top_altitude;
+        const int which = random.below(6);
+        // The last: at the horizon, where the ray just touches the ground.
+        const T touch =
+            -T(std::sqrt(std::max(0.0, 1 - std::pow(radius / (radius + std::fabs(double(h))), 2))));
+        const T mu = which == 0   ? T(1)
+                     : which == 1 ? T(-1)
+                     : which == 2 ? T(0)
+                     : which == 3 ? T(random.uniform(-1e-3, 1e-3))
+                     : which == 4 ? touch
+                                  : T(random.uniform(-1, 1));
+        const int how_far = random.below(5);
+        const T distance = how_far == 0   ? T(0)
+                           : how_far == 1 ? T(1e-6L)
+                           : how_far == 2 ? no_surface<T>()
+                                          : T(random.log_uniform(1e-6, 1e12));
+        const Column<T> tent = column<T>(planet, h, mu, distance);
+        const Column<T> lorentzian = column<T, Lorentzian>(planet, h, mu, distance);
+        for (const T amount :
+             {tent.rayleigh, tent.mie, tent.ozone, lorentzian.rayleigh, lorentzian.mie, lorentzian.ozone}) {
+            if (!(amount >= T(0)) || !std::isfinite(amount)) {
+                ++bad;
+                CAPTURE(exact(static_cast<long double>(radius)));
+                CAPTURE(exact(static_cast<long double>(planet.top_altitude)));
+                CAPTURE(exact(static_cast<long double>(planet.rayleigh_scale_height)));
+                CAPTURE(exact(static_cast<long double>(planet.mie_scale_height)));
+                CAPTURE(exact(static_cast<long double>(planet.ozone_half_width)));
+                CAPTURE(exact(static_cast<long double>(planet.ozone_altitude)));
+                CAPTURE(exact(static_cast<long double>(h)));
+                CAPTURE(exact(static_cast<long double>(mu)));
+                CAPTURE(exact(static_cast<long double>(distance)));
+                CAPTURE(exact(static_cast<long double>(amount)));
+                CHECK_MESSAGE(bad > 5, "a column that is negative or not finite");  // five stories are enough
+            }
+        }
+    }
+    CHECK(bad == 0);
 }
 
 TEST_SUITE_END();
