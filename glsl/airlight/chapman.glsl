@@ -31,7 +31,7 @@ float airlight_scaled_erfc(float x) {
 // Units:    x = radius / scale height [1]; mu and sine of the angle to the vertical [1]; result [1].
 // Domain:   x > 0; mu in [0, 1]; sine = sqrt(1 - mu^2) to rounding.
 // Accuracy: relative 4e-6 at x = 50, 5e-7 at 100, 1e-7 from 200 on, plus 16 roundoffs.
-// Errors:   none; below x = 50 the expansion fades out (3e-4 at 10), below 1 x counts as 1, and the
+// Errors:   none; below x = 50 the expansion fades out (3.3e-4 at 10), below 1 x counts as 1, and the
 //           result stays between its bounds 1 and 1 + sqrt(pi x / 2).
 // Source:   docs/theory/chapman.md.
 float airlight_chapman(float x, float mu, float sine) {

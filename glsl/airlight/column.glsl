@@ -152,17 +152,19 @@ float airlight_exponential_column(float ground_radius, airlight_AirPath path, fl
 // Differences of squares again: a short way between two high altitudes keeps its digits.
 //
 // Units:    ground_radius and shell_altitude [L]; result [L].
-// Domain:   ground_radius > 0; any shell_altitude; a path of air_path.
+// Domain:   ground_radius > 0; any shell_altitude, below the centre it counts as the centre's; a path
+//           of air_path.
 // Accuracy: 4 roundoffs plus that of the difference of the altitudes.
 // Errors:   none; a shell behind the begin gives a negative distance or 0, one below the closest
 //           approach a distance past it on the way down and none past it on the way up.
 // Source:   docs/theory/altitude.md.
 float airlight_distance_to_shell(float ground_radius, airlight_AirPath path, float shell_altitude,
                                  bool climbing) {
-    float over_perigee = shell_altitude - path.perigee_altitude;
-    float s = airlight_safe_sqrt(over_perigee * (2.0 * ground_radius + shell_altitude + path.perigee_altitude));
-    float over_begin = shell_altitude - path.begin_altitude;
-    float difference = over_begin * (2.0 * ground_radius + shell_altitude + path.begin_altitude);
+    float shell = max(shell_altitude, -ground_radius);
+    float over_perigee = shell - path.perigee_altitude;
+    float s = airlight_safe_sqrt(over_perigee * (2.0 * ground_radius + shell + path.perigee_altitude));
+    float over_begin = shell - path.begin_altitude;
+    float difference = over_begin * (2.0 * ground_radius + shell + path.begin_altitude);
     if (climbing) {
         return path.along > 0.0 ? difference / (s + path.along) : s - path.along;
     }
@@ -188,7 +190,7 @@ float airlight_layer_column(airlight_Atmosphere atmosphere, airlight_AirPath pat
         float last = airlight_distance_to_shell(atmosphere.ground_radius, path, climbing ? high : low,
                                                 climbing);
         float from = clamp(first, climbing ? turn : 0.0, climbing ? path.extent : turn);
-        float to = clamp(last, climbing ? turn : 0.0, climbing ? path.extent : turn);
+        float to = max(clamp(last, climbing ? turn : 0.0, climbing ? path.extent : turn), from);
         for (int i = 0; i < 4; ++i) {
             float t = from + airlight_gauss_4_positions[i] * (to - from);
             float altitude =
@@ -210,8 +212,8 @@ const float airlight_lorentzian_shells[8] = float[8](-8.0, -3.0, -1.0, 0.0, 1.0,
 //
 // Units:    result [L].
 // Domain:   a path of air_path; for the Lorentz curve a centre within 8 half widths of the ground.
-// Accuracy: relative 1e-6 for the tent, 1e-4 for the Lorentz curve times the Rayleigh density; plus
-//           the roundoff of the planet's radius over the layer's thickness.
+// Accuracy: relative 1e-4 for the Lorentz curve times the Rayleigh density, to rounding for the tent:
+//           the roundoff of the altitudes times the path's length over the half width.
 // Errors:   none; without an absorbing layer 0.
 // Source:   layer_column.
 float airlight_ozone_column(airlight_Atmosphere atmosphere, airlight_AirPath path) {

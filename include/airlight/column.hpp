@@ -216,8 +216,8 @@ inline constexpr T lorentzian_shells[8] = {T(-8), T(-3), T(-1), T(0), T(1), T(3)
 ///
 /// Units:    result [L].
 /// Domain:   a path of air_path; for the Lorentz curve a centre within 8 half widths of the ground.
-/// Accuracy: relative 1e-6 for the tent, 1e-4 for the Lorentz curve times the Rayleigh density; plus
-///           the roundoff of the planet's radius over the layer's thickness.
+/// Accuracy: relative 1e-4 for the Lorentz curve times the Rayleigh density, to rounding for the tent:
+///           the roundoff of the altitudes times the path's length over the half width.
 /// Errors:   none; without an absorbing layer 0.
 /// Source:   layer_column.
 template <typename T, typename Scene = DefaultScene>
