@@ -457,14 +457,14 @@ TEST_CASE_TEMPLATE("to a shell straight above or below it is the difference of a
 TEST_CASE_TEMPLATE("a vertical column in closed form holds one scale height, and the tent its half width", T,
                    float, double, long double) {
     const Column<T> air = column_to_space<T>(earth<T>(), T(0), T(1));
-    // 3e-7 by the docstring of exponential_column and 20 roundoffs; 1e-6 for the tent by that of
-    // ozone_column, and the roundoff of the radius over the half width, 424.
+    // 3e-7 by the docstring of exponential_column and 20 roundoffs; the tent to rounding by that of
+    // ozone_column, which counts the radius over the half width, 424.
     const long double u = std::numeric_limits<T>::epsilon() / 2;
     CHECK_WITHIN(
         compare_relative("column_to_space.rayleigh", {}, air.rayleigh, 8000.0L * (1 - std::exp(-12.5L))),
         3e-7L + 20 * u);
     CHECK_WITHIN(compare_relative("column_to_space.mie", {}, air.mie, 1200.0L), 3e-7L + 20 * u);
-    CHECK_WITHIN(compare_relative("column_to_space.ozone", {}, air.ozone, 15000.0L), 1e-6L + 424 * u);
+    CHECK_WITHIN(compare_relative("column_to_space.ozone", {}, air.ozone, 15000.0L), 424 * u);
 }
 
 TEST_CASE_TEMPLATE("in air of density 1 the closed form is the distance", T, float, double, long double) {
@@ -519,7 +519,7 @@ TEST_CASE_TEMPLATE("in closed form columns add up along a ray split anywhere", T
         tent.add(compare_roundoffs(
             "column.ozone", {{"altitude", h}, {"mu", mu}, {"distance", distance}, {"first", first_length}},
             first.ozone + second.ozone, static_cast<long double>(whole.ozone),
-            whole.ozone * (60 + 424 + 2e-6L / (std::numeric_limits<T>::epsilon() / 2)) +
+            whole.ozone * (60 + 424 + 4e-13L / (std::numeric_limits<T>::epsilon() / 2)) +
                 slope * air_path(planet, h, mu, distance).extent + smallest_matter<T>(15000)));
     }
     CHECK(rayleigh.count() > 1000);
@@ -567,7 +567,7 @@ TEST_CASE_TEMPLATE("in closed form the air is the same from either end", T, floa
         tent.add(compare_roundoffs(
             "column.ozone", {{"altitude", h}, {"mu", mu}, {"distance", distance}}, back.ozone,
             static_cast<long double>(there.ozone),
-            there.ozone * (40 + 424 + 2e-6L / (std::numeric_limits<T>::epsilon() / 2)) +
+            there.ozone * (40 + 424 + 4e-13L / (std::numeric_limits<T>::epsilon() / 2)) +
                 slope * air_path(planet, h, mu, distance).extent + smallest_matter<T>(15000)));
     }
     CHECK(rayleigh.count() > 1000);
@@ -600,7 +600,7 @@ TEST_CASE_TEMPLATE("a longer way holds more air", T, float, double) {
             CHECK(static_cast<long double>(air.mie) >=
                   static_cast<long double>(before.mie) * (1 - 6e-7L - rounding));
             CHECK(static_cast<long double>(air.ozone) >=
-                  static_cast<long double>(before.ozone) * (1 - 2e-6L - rounding - 424 * u));
+                  static_cast<long double>(before.ozone) * (1 - 4e-13L - rounding - 424 * u));
             before = air;
         }
     }
@@ -704,7 +704,7 @@ TEST_CASE_TEMPLATE(
         // 20 roundoffs by exponential_column; the radius over the thickness, 424 and 1590, by ozone_column.
         add(0, rayleigh, "column.rayleigh", air.rayleigh, "rayleigh", 3e-7L, 20);
         add(1, mie, "column.mie", air.mie, "mie", 3e-7L, 20);
-        add(2, tent, "column.tent", air.ozone, "tent", 1e-6L, 424);
+        add(2, tent, "column.tent", air.ozone, "tent", 2e-13L, 424);
         add(3, lorentzian, "column.lorentzian", other.ozone, "lorentzian", 1e-4L, 1590);
     }
     for (const Worst& worst : relative) {
@@ -754,9 +754,9 @@ TEST_CASE("the closed form is what marching with ever more steps tends to") {
     tent.print("against 6000 steps");
     lorentzian.print("against 6000 steps");
     CHECK(rayleigh.count() > 100);
-    CHECK_WORST(rayleigh, 2e-6L + 3e-7L);  // midpoint rule and docstring of exponential_column
-    CHECK_WORST(mie, 7.3e-5L + 3e-7L);     // as above
-    CHECK_WORST(tent, 2e-6L + 1e-6L);      // 3 corners of 50^2 / 4 / 15000 m on 1 km and more, and docstring
+    CHECK_WORST(rayleigh, 2e-6L + 3e-7L);      // midpoint rule and docstring of exponential_column
+    CHECK_WORST(mie, 7.3e-5L + 3e-7L);         // as above
+    CHECK_WORST(tent, 2e-6L);                  // 3 corners of 50^2 / 4 / 15000 m on 1 km and more
     CHECK_WORST(lorentzian, 1e-4L + 1.3e-5L);  // docstring of ozone_column; midpoint on 4 km: h^2 / 12 w^2
 }
 
