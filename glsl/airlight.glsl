@@ -72,10 +72,6 @@ float airlight_no_surface() {
 #ifndef AIRLIGHT_PLANET_SHADOW
 #define AIRLIGHT_PLANET_SHADOW 1
 #endif
-// samples of a marched column
-#ifndef AIRLIGHT_COLUMN_STEPS
-#define AIRLIGHT_COLUMN_STEPS 32
-#endif
 
 // ---- numeric ----------------------------------------------------------------
 
@@ -1096,18 +1092,20 @@ float airlight_distance_to_shell(float ground_radius, airlight_AirPath path, flo
 // Takes both legs of the path, down to the closest approach and up from it.
 //
 // Units:    low and high altitude [L]; result [L].
-// Domain:   low <= high; a path of air_path.
+// Domain:   low <= high, above the air they count as its top; a path of air_path.
 // Accuracy: to rounding where the density between the shells is a straight line.
 // Errors:   none; without an absorbing layer 0.
 // Source:   Gauss-Legendre quadrature over the distance from the closest approach.
 float airlight_layer_column(airlight_Atmosphere atmosphere, airlight_AirPath path, float low, float high) {
     float turn = clamp(-path.along, 0.0, path.extent);
+    float inner = min(low, atmosphere.top_altitude);  // nothing to look for above the air
+    float outer = min(high, atmosphere.top_altitude);
     float sum = 0.0;
     for (int leg = 0; leg < 2; ++leg) {
         bool climbing = leg == 1;
-        float first = airlight_distance_to_shell(atmosphere.ground_radius, path, climbing ? low : high,
+        float first = airlight_distance_to_shell(atmosphere.ground_radius, path, climbing ? inner : outer,
                                                  climbing);
-        float last = airlight_distance_to_shell(atmosphere.ground_radius, path, climbing ? high : low,
+        float last = airlight_distance_to_shell(atmosphere.ground_radius, path, climbing ? outer : inner,
                                                 climbing);
         float from = clamp(first, climbing ? turn : 0.0, climbing ? path.extent : turn);
         float to = max(clamp(last, climbing ? turn : 0.0, climbing ? path.extent : turn), from);
@@ -1239,14 +1237,13 @@ vec3 airlight_column_optical_depth(airlight_Atmosphere atmosphere, airlight_Colu
 //
 // Units:    altitude and distance [L]; mu [1]; result [1].
 // Shape:    the result is a spectrum.
-// Domain:   that of column_marched.
-// Accuracy: that of column_marched with Scene::column_steps steps.
-// Errors:   none; ignores the ground, below it the densities keep their ground value.
+// Domain:   that of column.
+// Accuracy: that of column.
+// Errors:   none; ignores the ground as column does.
 // Source:   Beer's law.
 vec3 airlight_optical_depth(airlight_Atmosphere atmosphere, float altitude, float mu, float distance) {
-    airlight_Column column =
-        airlight_column_marched(atmosphere, altitude, mu, distance, AIRLIGHT_COLUMN_STEPS);
-    return airlight_column_optical_depth(atmosphere, column);
+    airlight_Column air = airlight_column(atmosphere, altitude, mu, distance);
+    return airlight_column_optical_depth(atmosphere, air);
 }
 
 // ---- transmittance ----------------------------------------------------------
@@ -1353,7 +1350,7 @@ float airlight_mie_phase(float cos_theta, float g) {
 //     L = sum over the samples of T(eye, x) T(x, sun) V(x) (sigma_R rho_R p_R + sigma_M rho_M p_M) step
 //
 // The air between the eye and a sample is summed on the way; the air between a sample and the
-// sun is marched with Scene::column_steps steps.
+// sun comes in closed form.
 //
 // Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result per
 //           unit of solar irradiance above the air, radiance [1/sr].

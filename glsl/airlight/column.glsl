@@ -177,18 +177,20 @@ float airlight_distance_to_shell(float ground_radius, airlight_AirPath path, flo
 // Takes both legs of the path, down to the closest approach and up from it.
 //
 // Units:    low and high altitude [L]; result [L].
-// Domain:   low <= high; a path of air_path.
+// Domain:   low <= high, above the air they count as its top; a path of air_path.
 // Accuracy: to rounding where the density between the shells is a straight line.
 // Errors:   none; without an absorbing layer 0.
 // Source:   Gauss-Legendre quadrature over the distance from the closest approach.
 float airlight_layer_column(airlight_Atmosphere atmosphere, airlight_AirPath path, float low, float high) {
     float turn = clamp(-path.along, 0.0, path.extent);
+    float inner = min(low, atmosphere.top_altitude);  // nothing to look for above the air
+    float outer = min(high, atmosphere.top_altitude);
     float sum = 0.0;
     for (int leg = 0; leg < 2; ++leg) {
         bool climbing = leg == 1;
-        float first = airlight_distance_to_shell(atmosphere.ground_radius, path, climbing ? low : high,
+        float first = airlight_distance_to_shell(atmosphere.ground_radius, path, climbing ? inner : outer,
                                                  climbing);
-        float last = airlight_distance_to_shell(atmosphere.ground_radius, path, climbing ? high : low,
+        float last = airlight_distance_to_shell(atmosphere.ground_radius, path, climbing ? outer : inner,
                                                 climbing);
         float from = clamp(first, climbing ? turn : 0.0, climbing ? path.extent : turn);
         float to = max(clamp(last, climbing ? turn : 0.0, climbing ? path.extent : turn), from);

@@ -29,14 +29,13 @@ vec3 airlight_column_optical_depth(airlight_Atmosphere atmosphere, airlight_Colu
 //
 // Units:    altitude and distance [L]; mu [1]; result [1].
 // Shape:    the result is a spectrum.
-// Domain:   that of column_marched.
-// Accuracy: that of column_marched with Scene::column_steps steps.
-// Errors:   none; ignores the ground, below it the densities keep their ground value.
+// Domain:   that of column.
+// Accuracy: that of column.
+// Errors:   none; ignores the ground as column does.
 // Source:   Beer's law.
 vec3 airlight_optical_depth(airlight_Atmosphere atmosphere, float altitude, float mu, float distance) {
-    airlight_Column column =
-        airlight_column_marched(atmosphere, altitude, mu, distance, AIRLIGHT_COLUMN_STEPS);
-    return airlight_column_optical_depth(atmosphere, column);
+    airlight_Column air = airlight_column(atmosphere, altitude, mu, distance);
+    return airlight_column_optical_depth(atmosphere, air);
 }
 
 #endif

@@ -38,9 +38,5 @@
 #ifndef AIRLIGHT_PLANET_SHADOW
 #define AIRLIGHT_PLANET_SHADOW 1
 #endif
-// samples of a marched column
-#ifndef AIRLIGHT_COLUMN_STEPS
-#define AIRLIGHT_COLUMN_STEPS 32
-#endif
 
 #endif

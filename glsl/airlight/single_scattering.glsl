@@ -40,7 +40,7 @@ float airlight_mie_phase(float cos_theta, float g) {
 //     L = sum over the samples of T(eye, x) T(x, sun) V(x) (sigma_R rho_R p_R + sigma_M rho_M p_M) step
 //
 // The air between the eye and a sample is summed on the way; the air between a sample and the
-// sun is marched with Scene::column_steps steps.
+// sun comes in closed form.
 //
 // Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result per
 //           unit of solar irradiance above the air, radiance [1/sr].

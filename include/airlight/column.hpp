@@ -181,18 +181,20 @@ T distance_to_shell(T ground_radius, const AirPath<T>& path, T shell_altitude, b
 /// Takes both legs of the path, down to the closest approach and up from it.
 ///
 /// Units:    low and high altitude [L]; result [L].
-/// Domain:   low <= high; a path of air_path.
+/// Domain:   low <= high, above the air they count as its top; a path of air_path.
 /// Accuracy: to rounding where the density between the shells is a straight line.
 /// Errors:   none; without an absorbing layer 0.
 /// Source:   Gauss-Legendre quadrature over the distance from the closest approach.
 template <typename T, typename Scene = DefaultScene>
 T layer_column(const Atmosphere<T>& atmosphere, const AirPath<T>& path, T low, T high) {
     const T turn = glm::clamp(-path.along, T(0), path.extent);
+    const T inner = glm::min(low, atmosphere.top_altitude);  // nothing to look for above the air
+    const T outer = glm::min(high, atmosphere.top_altitude);
     T sum = T(0);
     for (int leg = 0; leg < 2; ++leg) {
         const bool climbing = leg == 1;
-        const T first = distance_to_shell(atmosphere.ground_radius, path, climbing ? low : high, climbing);
-        const T last = distance_to_shell(atmosphere.ground_radius, path, climbing ? high : low, climbing);
+        const T first = distance_to_shell(atmosphere.ground_radius, path, climbing ? inner : outer, climbing);
+        const T last = distance_to_shell(atmosphere.ground_radius, path, climbing ? outer : inner, climbing);
         const T from = glm::clamp(first, climbing ? turn : T(0), climbing ? path.extent : turn);
         const T to = glm::max(glm::clamp(last, climbing ? turn : T(0), climbing ? path.extent : turn), from);
         for (int i = 0; i < 4; ++i) {

@@ -30,15 +30,14 @@ vec3<T> column_optical_depth(const Atmosphere<T>& atmosphere, const Column<T>& c
 ///
 /// Units:    altitude and distance [L]; mu [1]; result [1].
 /// Shape:    the result is a spectrum.
-/// Domain:   that of column_marched.
-/// Accuracy: that of column_marched with Scene::column_steps steps.
-/// Errors:   none; ignores the ground, below it the densities keep their ground value.
+/// Domain:   that of column.
+/// Accuracy: that of column.
+/// Errors:   none; ignores the ground as column does.
 /// Source:   Beer's law.
 template <typename T, typename Scene = DefaultScene>
 vec3<T> optical_depth(const Atmosphere<T>& atmosphere, T altitude, T mu, T distance) {
-    const Column<T> column =
-        column_marched<T, Scene>(atmosphere, altitude, mu, distance, Scene::column_steps);
-    return column_optical_depth<T, Scene>(atmosphere, column);
+    const Column<T> air = column<T, Scene>(atmosphere, altitude, mu, distance);
+    return column_optical_depth<T, Scene>(atmosphere, air);
 }
 
 }  // namespace airlight

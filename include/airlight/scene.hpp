@@ -25,7 +25,6 @@ struct DefaultScene {
     static constexpr int ozone = ozone_tent;                 ///< profile of the absorbing layer
     static constexpr int mie_phase = phase_cornette_shanks;  ///< phase function of the aerosol
     static constexpr bool planet_shadow = true;              ///< the ground sphere hides the sun
-    static constexpr int column_steps = 32;                  ///< samples of a marched column
 };
 
 /// Hook: the share of sunlight that reaches `position` (relative to the eye), in [0, 1].

@@ -312,16 +312,19 @@ inline Bounded exponential(const Bounded& x, float value, double rate, const Bui
         return Bounded(value, {});
     }
     const double v = static_cast<double>(value);
-    const double size = std::abs(static_cast<double>(x.value()));
+    const double argument = static_cast<double>(x.value());
+    const double size = std::abs(argument);
     return Bounded(
         value, for_each_comparison([&](std::size_t k) {
+            // v may be 0 where the argument's own error is large: v exp(e) would then be 0 times infinity.
             const double e = x.bound()[k];
-            const double reached = v * std::exp(rate * e);
+            const double reached = e < 1 ? v * std::exp(rate * e) : std::exp(rate * (argument + e));
+            const double moved = e < 1 ? v * std::expm1(rate * e) : reached;
             const double own =
                 k == software ? DriverErrors::headroom * driver.between(std::max(size - e, 0.0), size + e)
                               : (k == hardware ? spec::exp(size + e) * spec::ulp : 0);
             const double flush = k != precision && v < 4 * smallest_normal ? 4 * smallest_normal : 0x1p-149;
-            return v * std::expm1(rate * e) + reached * (own + libm_ulp * spec::ulp) + flush;
+            return moved + reached * (own + libm_ulp * spec::ulp) + flush;
         }));
 }
 inline Bounded exp(const Bounded& x) {

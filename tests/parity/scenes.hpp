@@ -30,12 +30,9 @@ struct Fog : airlight::DefaultScene {
 struct NoPlanetShadow : airlight::DefaultScene {
     static constexpr bool planet_shadow = false;
 };
-struct FewColumnSteps : airlight::DefaultScene {
-    static constexpr int column_steps = 5;
-};
 
 using SceneTypes = std::tuple<airlight::DefaultScene, NoMie, NoOzone, LorentzianOzone, HenyeyGreensteinMie,
-                              Fog, NoPlanetShadow, FewColumnSteps>;
+                              Fog, NoPlanetShadow>;
 
 /// One define of the shader: macro and value. Values at their defaults are not listed.
 struct SceneDefine {
@@ -59,7 +56,6 @@ inline const std::array<SceneName, std::tuple_size_v<SceneTypes>>& scene_names()
         SceneName{"Henyey-Greenstein aerosol", {{"AIRLIGHT_MIE_PHASE", "AIRLIGHT_PHASE_HENYEY_GREENSTEIN"}}},
         SceneName{"fog", {{"AIRLIGHT_MIE_PHASE", "AIRLIGHT_PHASE_FOG"}}, true},
         SceneName{"no planet shadow", {{"AIRLIGHT_PLANET_SHADOW", "0"}}},
-        SceneName{"5 column steps", {{"AIRLIGHT_COLUMN_STEPS", "5"}}},
     };
     return names;
 }

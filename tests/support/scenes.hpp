@@ -23,9 +23,5 @@ struct Fog : airlight::DefaultScene {
 struct NoShadow : airlight::DefaultScene {
     static constexpr bool planet_shadow = false;
 };
-template <int steps, typename Scene = airlight::DefaultScene>
-struct Steps : Scene {
-    static constexpr int column_steps = steps;
-};
 
 }  // namespace airlight_test

@@ -9,6 +9,7 @@
 #include <airlight/airlight.hpp>
 
 #include "samplers.hpp"
+#include "scenes.hpp"
 #include "story.hpp"
 
 using namespace airlight_test;
@@ -16,14 +17,10 @@ using namespace airlight;
 
 namespace {
 
-struct FewSteps : DefaultScene {
-    static constexpr int column_steps = 4;
-};
-struct LorentzianFewSteps : FewSteps {
-    static constexpr int ozone = ozone_lorentzian;
+struct LorentzianHenyeyGreenstein : Lorentzian {
     static constexpr int mie_phase = phase_henyey_greenstein;
 };
-struct BareFewSteps : FewSteps {
+struct Bare : DefaultScene {
     static constexpr bool mie = false;
     static constexpr int ozone = ozone_none;
     static constexpr bool planet_shadow = false;
@@ -204,9 +201,9 @@ TEST_CASE_TEMPLATE("no view of any planet, from its centre to 1e12 m, gives NaN,
         const vec3<T> to_sun = pick_sun(random, air, eye, direction);
         const T distance = pick_distance<T>(random);
         const int steps = 1 + random.below(6);
-        check_view<T, FewSteps>(air, eye, direction, to_sun, distance, steps);
-        check_view<T, LorentzianFewSteps>(air, eye, direction, to_sun, distance, steps);
-        check_view<T, BareFewSteps>(air, eye, direction, to_sun, distance, steps);
+        check_view<T, DefaultScene>(air, eye, direction, to_sun, distance, steps);
+        check_view<T, LorentzianHenyeyGreenstein>(air, eye, direction, to_sun, distance, steps);
+        check_view<T, Bare>(air, eye, direction, to_sun, distance, steps);
 
         const ViewPath<T> path = view_path(air, eye, direction, distance);
         CHECK_MESSAGE((std::isfinite(path.begin) && std::isfinite(path.end) && path.begin >= T(0) &&
@@ -230,8 +227,8 @@ TEST_CASE_TEMPLATE("no ray from the centre to a few radii gives a transmittance 
         const T distance = pick_distance<T>(random);
         const vec3<T> direction = vec3<T>(std::sqrt((T(1) - mu) * (T(1) + mu)), T(0), mu);
         const Viewpoint<T> eye = Viewpoint<T>{altitude, vec3<T>(T(0), T(0), T(1))};
-        const vec3<T> along = transmittance<T, FewSteps>(air, altitude, mu, distance);
-        const vec3<T> to_space = transmittance_to_space<T, LorentzianFewSteps>(air, altitude, mu);
+        const vec3<T> along = transmittance<T, DefaultScene>(air, altitude, mu, distance);
+        const vec3<T> to_space = transmittance_to_space<T, LorentzianHenyeyGreenstein>(air, altitude, mu);
         CHECK_MESSAGE(is_share(along),
                       story("transmittance", air, eye, direction, direction, distance, 4, along));
         CHECK_MESSAGE(is_share(to_space),

@@ -453,9 +453,9 @@ TEST_CASE(
     int regular = 0;
     for (const Row& row : reference("single_scattering")) {
         const View<double> view = table_view<double>(row);
-        const Scattered<double> results[] = {march<Steps<32>>(table_air<double>(), view, 32),
-                                             march<Steps<128>>(table_air<double>(), view, 128),
-                                             march<Steps<512>>(table_air<double>(), view, 512)};
+        const Scattered<double> results[] = {march<DefaultScene>(table_air<double>(), view, 32),
+                                             march<DefaultScene>(table_air<double>(), view, 128),
+                                             march<DefaultScene>(table_air<double>(), view, 512)};
         double errors[3] = {0, 0, 0};
         double transmittance_error = 0;
         for (int k = 0; k < 3; ++k) {
@@ -488,7 +488,7 @@ TEST_CASE(
         if (edge) {
             // First order where sunlight begins: a step of up to 1 / 8192 of the ray is lit or dark by
             // mistake, in which a few times the mean light may stand.
-            const Scattered<double> finest = march<Steps<512>>(table_air<double>(), view, 8192);
+            const Scattered<double> finest = march<DefaultScene>(table_air<double>(), view, 8192);
             for (int k = 0; k < 3; ++k) {
                 const double expected = static_cast<double>(row.expected("r" + std::to_string(k)));
                 CHECK(std::fabs(finest.radiance[k] - expected) <=
