@@ -10,29 +10,19 @@
 #include <tuple>
 #include <vector>
 
+#include "../support/scenes.hpp"
+
 namespace parity {
 
-struct NoMie : airlight::DefaultScene {
-    static constexpr bool mie = false;
-};
-struct NoOzone : airlight::DefaultScene {
-    static constexpr int ozone = airlight::ozone_none;
-};
-struct LorentzianOzone : airlight::DefaultScene {
-    static constexpr int ozone = airlight::ozone_lorentzian;
-};
-struct HenyeyGreensteinMie : airlight::DefaultScene {
-    static constexpr int mie_phase = airlight::phase_henyey_greenstein;
-};
-struct Fog : airlight::DefaultScene {
-    static constexpr int mie_phase = airlight::phase_fog;
-};
-struct NoPlanetShadow : airlight::DefaultScene {
-    static constexpr bool planet_shadow = false;
-};
+using airlight_test::Fog;
+using airlight_test::HenyeyGreenstein;
+using airlight_test::Lorentzian;
+using airlight_test::NoMie;
+using airlight_test::NoOzone;
+using airlight_test::NoShadow;
 
-using SceneTypes = std::tuple<airlight::DefaultScene, NoMie, NoOzone, LorentzianOzone, HenyeyGreensteinMie,
-                              Fog, NoPlanetShadow>;
+using SceneTypes =
+    std::tuple<airlight::DefaultScene, NoMie, NoOzone, Lorentzian, HenyeyGreenstein, Fog, NoShadow>;
 
 /// One define of the shader: macro and value. Values at their defaults are not listed.
 struct SceneDefine {
