@@ -319,7 +319,7 @@ inline Bounded exponential(const Bounded& x, float value, double rate, const Bui
             // v may be 0 where the argument's own error is large: v exp(e) would then be 0 times infinity.
             const double e = x.bound()[k];
             const double reached = e < 1 ? v * std::exp(rate * e) : std::exp(rate * (argument + e));
-            const double moved = e < 1 ? v * std::expm1(rate * e) : reached;
+            const double moved = e < 1 ? v * std::expm1(rate * e) : reached - v;
             const double own =
                 k == software ? DriverErrors::headroom * driver.between(std::max(size - e, 0.0), size + e)
                               : (k == hardware ? spec::exp(size + e) * spec::ulp : 0);
