@@ -78,7 +78,7 @@ TEST_CASE_TEMPLATE("optical depth grows with distance and with every coefficient
         Atmosphere<T> planet = earth<T>();
         const T h = T(random.log_uniform(1, 5e4));
         const T mu = T(random.uniform(0, 1));
-        // Even air, so that the samples' places do not matter: growth must hold for every distance.
+        // Even air: growth must hold for every distance.
         planet.rayleigh_scale_height = T(1e30L);
         planet.mie_scale_height = T(1e30L);
         const T d = T(random.log_uniform(1, 1e4));
