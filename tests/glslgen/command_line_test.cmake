@@ -49,7 +49,21 @@ expect(0 "float airlight_one_minus_exp" --include "${INCLUDE}" --header "${INCLU
 expect(1 "cannot read .*nowhere.hpp" --include "${INCLUDE}" --header nowhere.hpp --stdout)
 expect(1 "cannot read .*airlight.hpp" --include "${FOLDER}" --output "${FOLDER}/glsl")
 expect(2 "--nonsense" --nonsense)
-expect(2 "--stdout" --header "${INCLUDE}/airlight/numeric.hpp")
+expect(2 "--header requires --stdout or --output" --header "${INCLUDE}/airlight/numeric.hpp")
+
+# Headers that stand on airlight, in a folder of their own.
+file(
+    WRITE "${FOLDER}/mine/more/twice.hpp"
+    "#pragma once\n#include <airlight/numeric.hpp>\n\nnamespace airlight {\n\nnamespace mine {\n\n"
+    "/// Twice the root.\ntemplate <typename T>\nT twice(T x) {\n    return T(2) * safe_sqrt(x);\n}\n\n"
+    "}  // namespace mine\n\n}  // namespace airlight\n"
+)
+set(mine --include "${INCLUDE}" "${FOLDER}/mine" --header "${FOLDER}/mine/more/twice.hpp")
+expect(0 "4 files, 4 changed, 0 deleted" ${mine} --output "${FOLDER}/mine/glsl")
+file(READ "${FOLDER}/mine/glsl/airlight/twice.glsl" text)
+if(NOT text MATCHES "#include .airlight/numeric.glsl.*float airlight_mine_twice.float x.")
+    message(FATAL_ERROR "twice.glsl holds\n${text}")
+endif()
 file(WRITE "${FOLDER}/file" "no folder\n")
 expect(1 "cannot write" --include "${INCLUDE}" --output "${FOLDER}/file")
 file(REMOVE_RECURSE "${FOLDER}")

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-    std::string include = "include";
+    std::vector<std::string> include = {"include"};
     std::string output = "glsl";
     std::string header;
     std::vector<std::string> system_folders;
@@ -56,7 +56,7 @@ int check(const Options& options, const glslgen::Generated& generated) {
         std::cout << glslgen::unified_diff(before, text, path, path + " (generated)");
         std::cerr << path << " is not what "
                   << (source == generated.sources.end()
-                          ? "the headers of " + options.include + "/airlight make"
+                          ? "the headers of " + options.include.front() + "/airlight make"
                           : source->second + " makes")
                   << ": edit the header and run glslgen\n";
     }
@@ -84,8 +84,8 @@ int write(const Options& options, const glslgen::Generated& generated) {
 
 int run(const Options& options) {
     glslgen::ReadOptions read;
-    read.root = options.header.empty() ? options.include + "/airlight/airlight.hpp" : options.header;
-    read.include_folders = {options.include};
+    read.root = options.header.empty() ? options.include.front() + "/airlight/airlight.hpp" : options.header;
+    read.include_folders = options.include;
     read.system_folders = options.system_folders;
     const glslgen::Generated generated = glslgen::generate(read);
     if (!generated.refusals.empty()) {
@@ -108,16 +108,26 @@ int main(int argc, char** argv) {
         "and manifest.json. What is outside the translatable subset is refused as file:line: reason.",
         "glslgen"};
     Options options;
-    app.add_option("--include", options.include, "folder that holds airlight/airlight.hpp")
+    app.add_option(
+           "--include", options.include,
+           "folder that holds airlight/airlight.hpp; further ones hold headers that stand on airlight")
         ->capture_default_str();
-    app.add_option("--output", options.output, "folder to write to")->capture_default_str();
+    CLI::Option* output =
+        app.add_option("--output", options.output, "folder to write to")->capture_default_str();
     app.add_option("--system-include", options.system_folders, "further folders to find GLM in");
-    CLI::Option* header = app.add_option("--header", options.header, "translate this header alone");
+    CLI::Option* header =
+        app.add_option("--header", options.header,
+                       "translate this header: alone with --stdout, with all it includes with --output");
     CLI::Option* to_stdout =
         app.add_flag("--stdout", options.to_stdout, "print the header's GLSL")->needs(header);
-    header->needs(to_stdout);
     app.add_flag("--check", options.check, "write nothing; print a diff and exit with 1 if a file differs")
         ->excludes(to_stdout);
+    // glsl/ is the library's: a header of its own goes elsewhere.
+    app.callback([&] {
+        if (header->count() > 0 && to_stdout->count() + output->count() == 0) {
+            throw CLI::RequiresError("--header", "--stdout or --output");
+        }
+    });
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
