@@ -94,7 +94,7 @@ configure() {
 # configure_release <build folder>: everything on, as ./test builds it.
 configure_release() {
     configure "$1" --preset release -DAIRLIGHT_WERROR="${AIRLIGHT_WERROR:-OFF}" \
-        -DAIRLIGHT_BUILD_TESTS=ON -DAIRLIGHT_BUILD_TOOLS=ON -DAIRLIGHT_BUILD_EXAMPLES=ON \
+        -DAIRLIGHT_BUILD_TESTS=ON -DAIRLIGHT_BUILD_TOOLS=ON -DAIRLIGHT_BUILD_EXAMPLES=ON -DAIRLIGHT_BUILD_STUDY=ON \
         ${CXX:+-DCMAKE_CXX_COMPILER="$CXX"}
 }
 
