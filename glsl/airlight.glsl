@@ -171,10 +171,10 @@ float airlight_scaled_erfc(float x) {
 // Expanded in y / b to second order, every term is a scaled complementary error function.
 //
 // Units:    x = radius / scale height [1]; mu and sine of the angle to the vertical [1]; result [1].
-// Domain:   x > 0; mu in [0, 1]; sine = sqrt(1 - mu^2) to rounding.
+// Domain:   x >= 0; mu in [0, 1]; sine = sqrt(1 - mu^2) to rounding.
 // Accuracy: relative 4e-6 at x = 50, 5e-7 at 100, 1e-7 from 200 on, plus 16 roundoffs.
-// Errors:   none; below x = 50 the expansion fades out (3.3e-4 at 10), below 1 x counts as 1, and the
-//           result stays between its bounds 1 and 1 + sqrt(pi x / 2).
+// Errors:   none; below x = 50 the expansion fades out (3.3e-4 at 10, 2e-3 at 5, 2e-2 at 2), below 1 the
+//           result fades to 1, which it is at 0: never off by more than 7 %.
 // Source:   docs/theory/chapman.md.
 float airlight_chapman(float x, float mu, float sine) {
     float reach = max(x, 1.0);
@@ -188,7 +188,7 @@ float airlight_chapman(float x, float mu, float sine) {
     float weight_1 = (1.0 - 0.5 * share) / reach;
     float weight_2 = (0.375 * share - 0.5) * share / (reach * reach);
     float series = stretch * (order_0 + weight_1 * order_1 + weight_2 * order_2);
-    return clamp(series, 1.0, 1.0 + sqrt(0.5 * airlight_pi * reach));
+    return 1.0 + min(x, 1.0) * max(series - 1.0, 0.0);
 }
 
 // ---- color ------------------------------------------------------------------

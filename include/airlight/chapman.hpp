@@ -1,6 +1,5 @@
 #pragma once
 
-#include <airlight/constants.hpp>
 #include <airlight/types.hpp>
 
 namespace airlight {
@@ -31,10 +30,10 @@ T scaled_erfc(T x) {
 /// Expanded in y / b to second order, every term is a scaled complementary error function.
 ///
 /// Units:    x = radius / scale height [1]; mu and sine of the angle to the vertical [1]; result [1].
-/// Domain:   x > 0; mu in [0, 1]; sine = sqrt(1 - mu^2) to rounding.
+/// Domain:   x >= 0; mu in [0, 1]; sine = sqrt(1 - mu^2) to rounding.
 /// Accuracy: relative 4e-6 at x = 50, 5e-7 at 100, 1e-7 from 200 on, plus 16 roundoffs.
-/// Errors:   none; below x = 50 the expansion fades out (3.3e-4 at 10), below 1 x counts as 1, and the
-///           result stays between its bounds 1 and 1 + sqrt(pi x / 2).
+/// Errors:   none; below x = 50 the expansion fades out (3.3e-4 at 10, 2e-3 at 5, 2e-2 at 2), below 1 the
+///           result fades to 1, which it is at 0: never off by more than 7 %.
 /// Source:   docs/theory/chapman.md.
 template <typename T>
 T chapman(T x, T mu, T sine) {
@@ -49,7 +48,7 @@ T chapman(T x, T mu, T sine) {
     const T weight_1 = (T(1) - T(0.5) * share) / reach;
     const T weight_2 = (T(0.375) * share - T(0.5)) * share / (reach * reach);
     const T series = stretch * (order_0 + weight_1 * order_1 + weight_2 * order_2);
-    return glm::clamp(series, T(1), T(1) + glm::sqrt(T(0.5) * pi<T> * reach));
+    return T(1) + glm::min(x, T(1)) * glm::max(series - T(1), T(0));
 }
 
 }  // namespace airlight
