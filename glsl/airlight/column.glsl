@@ -211,12 +211,15 @@ const float airlight_lorentzian_shells[8] = float[8](-8.0, -3.0, -1.0, 0.0, 1.0,
 // The absorbing layer's amount on a path.
 //
 // A tent is a straight line between three shells. The Lorentz curve is cut at shells 1, 3, 8 and 25
-// half widths from its centre, where four points of Gauss follow it.
+// half widths from its centre, where four points of Gauss follow it; a curve wider than three scale
+// heights, which hardly bends before the air ends, every three scale heights from the ground.
 //
 // Units:    result [L].
 // Domain:   a path of air_path; for the Lorentz curve a centre within 8 half widths of the ground.
-// Accuracy: relative 1e-4 for the Lorentz curve times the Rayleigh density, 2e-13 for the tent; plus
-//           the roundoff of the altitudes times the path's length over the half width.
+// Accuracy: the tent to 2e-13, where its width is small against the radius; the Lorentz curve times the
+//           Rayleigh density to 1.2e-4 of the molecules that the path would hold if its lowest point lay
+//           at the ground, with Leenman's numbers to 1e-4 of itself; plus the roundoff of the altitudes
+//           times the path's length over the half width.
 // Errors:   none; without an absorbing layer 0.
 // Source:   layer_column.
 float airlight_ozone_column(airlight_Atmosphere atmosphere, airlight_AirPath path) {
@@ -228,9 +231,12 @@ float airlight_ozone_column(airlight_Atmosphere atmosphere, airlight_AirPath pat
           airlight_layer_column(atmosphere, path, centre, centre + width);
 #endif
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
+    float scale_height = atmosphere.rayleigh_scale_height;
+    bool wide = width > 3.0 * scale_height;
     for (int i = 0; i < 7; ++i) {
-        sum += airlight_layer_column(atmosphere, path, centre + airlight_lorentzian_shells[i] * width,
-                                     centre + airlight_lorentzian_shells[i + 1] * width);
+        float low = wide ? float(3 * i) * scale_height : centre + airlight_lorentzian_shells[i] * width;
+        float high = wide ? float(3 * i + 3) * scale_height : centre + airlight_lorentzian_shells[i + 1] * width;
+        sum += airlight_layer_column(atmosphere, path, low, high);
     }
 #endif
     return sum;

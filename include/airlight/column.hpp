@@ -215,12 +215,15 @@ inline constexpr T lorentzian_shells[8] = {T(-8), T(-3), T(-1), T(0), T(1), T(3)
 /// The absorbing layer's amount on a path.
 ///
 /// A tent is a straight line between three shells. The Lorentz curve is cut at shells 1, 3, 8 and 25
-/// half widths from its centre, where four points of Gauss follow it.
+/// half widths from its centre, where four points of Gauss follow it; a curve wider than three scale
+/// heights, which hardly bends before the air ends, every three scale heights from the ground.
 ///
 /// Units:    result [L].
 /// Domain:   a path of air_path; for the Lorentz curve a centre within 8 half widths of the ground.
-/// Accuracy: relative 1e-4 for the Lorentz curve times the Rayleigh density, 2e-13 for the tent; plus
-///           the roundoff of the altitudes times the path's length over the half width.
+/// Accuracy: the tent to 2e-13, where its width is small against the radius; the Lorentz curve times the
+///           Rayleigh density to 1.2e-4 of the molecules that the path would hold if its lowest point lay
+///           at the ground, with Leenman's numbers to 1e-4 of itself; plus the roundoff of the altitudes
+///           times the path's length over the half width.
 /// Errors:   none; without an absorbing layer 0.
 /// Source:   layer_column.
 template <typename T, typename Scene = DefaultScene>
@@ -233,9 +236,12 @@ T ozone_column(const Atmosphere<T>& atmosphere, const AirPath<T>& path) {
               layer_column<T, Scene>(atmosphere, path, centre, centre + width);
     }
     if constexpr (Scene::ozone == ozone_lorentzian) {
+        const T scale_height = atmosphere.rayleigh_scale_height;
+        const bool wide = width > T(3) * scale_height;
         for (int i = 0; i < 7; ++i) {
-            sum += layer_column<T, Scene>(atmosphere, path, centre + lorentzian_shells<T>[i] * width,
-                                          centre + lorentzian_shells<T>[i + 1] * width);
+            const T low = wide ? T(3 * i) * scale_height : centre + lorentzian_shells<T>[i] * width;
+            const T high = wide ? T(3 * i + 3) * scale_height : centre + lorentzian_shells<T>[i + 1] * width;
+            sum += layer_column<T, Scene>(atmosphere, path, low, high);
         }
     }
     return sum;

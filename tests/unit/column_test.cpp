@@ -10,6 +10,7 @@
 #include <airlight/constants.hpp>
 
 #include "error_metrics.hpp"
+#include "quadrature.hpp"
 #include "samplers.hpp"
 #include "scenes.hpp"
 #include "story.hpp"
@@ -758,6 +759,57 @@ TEST_CASE("the closed form is what marching with ever more steps tends to") {
     CHECK_WORST(mie, 7.3e-5L + 3e-7L);         // as above
     CHECK_WORST(tent, 2e-6L);                  // 3 corners of 50^2 / 4 / 15000 m on 1 km and more
     CHECK_WORST(lorentzian, 1e-4L + 1.3e-5L);  // docstring of ozone_column; midpoint on 4 km: h^2 / 12 w^2
+}
+
+TEST_CASE("a Lorentz curve of any width, centred anywhere within 8 of them, is followed") {
+    using Real = long double;
+    Worst worst;
+    Atmosphere<Real> planet = earth<Real>();
+    planet.rayleigh_scale_height = 8000;
+    planet.top_altitude = 1e6L;
+    for (const Real width : {0.1L, 0.25L, 0.5L, 1.0L, 2.0L, 3.0L, 3.1L, 5.0L, 10.0L, 100.0L}) {
+        for (const Real centre : {0.0L, 0.5L, 1.0L, 2.0L, 4.0L, 10.0L, 30.0L}) {
+            for (const Real from : {0.0L, 0.5L, 1.0L, 3.0L, 6.0L, 10.0L, 15.0L}) {
+                const Real mu = from < 2 ? 0.0L : 0.3L;
+                planet.ozone_half_width = 8000 * width;
+                planet.ozone_altitude = 8000 * centre;
+                if (centre > 8 * width) {
+                    continue;
+                }
+                const AirPath<Real> path = air_path(planet, 8000 * from, mu, no_surface<Real>());
+                const auto density = [&](Real t) {
+                    const Real altitude =
+                        altitude_along_ray(planet.ground_radius, path.begin_altitude, path.along, t);
+                    return relative_density<Real, Lorentzian>(planet, altitude).ozone;
+                };
+                // Panels of half a scale height and half a half width, as long as there is air.
+                const Real panel = 4000 * std::fmin(1.0L, width);
+                Real expected = 0;
+                Real begin = 0;
+                for (Real high = 8000 * from + panel; begin < path.extent && high < 8000 * (from + 40);
+                     high += panel) {
+                    const Real end =
+                        std::fmin(distance_to_shell(planet.ground_radius, path, high, true), path.extent);
+                    expected += integrate(density, begin, end, 1e-8L);
+                    begin = end;
+                }
+                // Of the molecules as if the path's lowest point lay at the ground.
+                const Real molecules =
+                    exponential_column(planet.ground_radius, path, planet.rayleigh_scale_height) *
+                    std::exp(from);
+                const Real got = ozone_column<Real, Lorentzian>(planet, path);
+                worst.add(Comparison{"ozone_column",
+                                     "Lorentzian",
+                                     {{"width", width}, {"centre", centre}, {"from", from}, {"mu", mu}},
+                                     expected,
+                                     got,
+                                     std::fabs(got - expected) / molecules,
+                                     "of the molecules"});
+            }
+        }
+    }
+    worst.print("Lorentz curves of all widths, lengths in scale heights");
+    CHECK_WORST(worst, 1.2e-4L);  // docstring of ozone_column
 }
 
 TEST_CASE_TEMPLATE("in closed form a term that is off has no column and changes no other", T, float, double,
