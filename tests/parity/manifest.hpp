@@ -1,77 +1,16 @@
 #pragma once
 
-// glsl/manifest.json as the generator writes it.
-
-#include <filesystem>
-#include <string>
-#include <vector>
+#include "support/manifest.hpp"
 
 namespace parity {
 
-struct Member {
-    std::string type;
-    std::string name;
-};
-
-struct Struct {
-    std::string name;  ///< in C++
-    std::string glsl;
-    std::string file;
-    std::vector<Member> members;
-};
-
-struct Function {
-    std::string name;  ///< in C++
-    std::string glsl;
-    std::string header;
-    std::string file;  ///< relative to the folder of the GLSL
-    std::vector<Member> parameters;
-    std::string result;
-    std::vector<std::string> flags;  ///< names, those of the functions it calls included
-    std::vector<std::string> hooks;  ///< likewise
-};
-
-struct Flag {
-    std::string name;
-    std::string macro;
-    std::string type;
-    std::string default_value;
-    std::vector<std::string> choices;  ///< empty for bool and for plain counts
-};
-
-struct Hook {
-    std::string name;
-    std::string macro;
-    std::vector<std::string> parameters;
-};
-
-struct Constant {
-    std::string name;
-    std::string glsl;
-    std::string type;
-    std::string value;
-    std::string header;
-    std::string file;
-};
-
-struct Manifest {
-    std::vector<Constant> constants;
-    std::vector<Flag> flags;
-    std::vector<Hook> hooks;
-    std::vector<Struct> structs;
-    std::vector<Function> functions;
-
-    const Function* function(const std::string& name) const;
-    const Struct& struct_named(const std::string& name) const;  ///< throws support::Error when there is none
-    const Flag& flag(const std::string& name) const;            ///< likewise
-    const Hook& hook(const std::string& name) const;            ///< likewise
-    std::vector<std::string> files() const;                     ///< each generated file once
-
-    /// One letter per float of a type: "float" f, "vec3" fff, structs member by member.
-    std::string signature(const std::string& type) const;
-};
-
-/// Throws support::Error when the file is missing or not as expected.
-Manifest read_manifest(const std::filesystem::path& file);
+using support::Constant;
+using support::Flag;
+using support::Function;
+using support::Hook;
+using support::Manifest;
+using support::Member;
+using support::read_manifest;
+using support::Struct;
 
 }  // namespace parity

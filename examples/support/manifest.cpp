@@ -1,4 +1,4 @@
-#include "manifest.hpp"
+#include "support/manifest.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -6,7 +6,7 @@
 #include "support/error.hpp"
 #include "support/files.hpp"
 
-namespace parity {
+namespace support {
 namespace {
 
 template <typename Items>
@@ -18,8 +18,8 @@ template <typename Items>
 const auto& get_named(const Items& items, const std::string& name, const char* kind) {
     const auto found = find_named(items, name);
     if (found == items.end()) {
-        throw support::Error(std::string("manifest.json names the ") + kind + " '" + name +
-                             "' but does not describe it; regenerate the GLSL with glslgen");
+        throw Error(std::string("manifest.json names the ") + kind + " '" + name +
+                    "' but does not describe it; regenerate the GLSL with glslgen");
     }
     return *found;
 }
@@ -92,7 +92,7 @@ std::string Manifest::signature(const std::string& type) const {
 
 Manifest read_manifest(const std::filesystem::path& file) {
     Manifest out;
-    const std::string text = support::read_file(file);
+    const std::string text = read_file(file);
     try {
         const nlohmann::json json = nlohmann::json::parse(text);
         for (const auto& item : json.at("constants")) {
@@ -116,9 +116,9 @@ Manifest read_manifest(const std::filesystem::path& file) {
                                      item.at("hooks")});
         }
     } catch (const nlohmann::json::exception& e) {
-        throw support::Error(file.string() + " is not the manifest that glslgen writes: " + e.what());
+        throw Error(file.string() + " is not the manifest that glslgen writes: " + e.what());
     }
     return out;
 }
 
-}  // namespace parity
+}  // namespace support
