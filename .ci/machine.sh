@@ -8,6 +8,7 @@ airlight_build_packages=(cmake:cmake ninja:ninja-build pkg-config:pkg-config lib
 airlight_gl_packages=(libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri)
 airlight_example_packages=("${airlight_gl_packages[@]}" libopenexr-dev libimath-dev libpng-dev libcli11-dev)
 airlight_test_packages=(doctest-dev nlohmann-json3-dev libclang-14-dev glslangValidator:glslang-tools)
+airlight_bench_packages=(mesa-vulkan-drivers libvulkan-dev glslang-dev spirv-tools)
 airlight_ci_packages=(clang++:clang clang-format-14:clang-format-14 chromium:chromium)
 
 say() {
@@ -94,7 +95,8 @@ configure() {
 # configure_release <build folder>: everything on, as ./test builds it.
 configure_release() {
     configure "$1" --preset release -DAIRLIGHT_WERROR="${AIRLIGHT_WERROR:-OFF}" \
-        -DAIRLIGHT_BUILD_TESTS=ON -DAIRLIGHT_BUILD_TOOLS=ON -DAIRLIGHT_BUILD_EXAMPLES=ON -DAIRLIGHT_BUILD_STUDY=ON \
+        -DAIRLIGHT_BUILD_TESTS=ON -DAIRLIGHT_BUILD_TOOLS=ON -DAIRLIGHT_BUILD_EXAMPLES=ON \
+        -DAIRLIGHT_BUILD_STUDY=ON -DAIRLIGHT_BUILD_BENCH=ON \
         ${CXX:+-DCMAKE_CXX_COMPILER="$CXX"}
 }
 

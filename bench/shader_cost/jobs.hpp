@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cost.hpp"
+#include "shaders.hpp"
+
+namespace shader_cost {
+
+/// Every function of the library, as the default scene has it and with each flag at each other value; those
+/// with an `int` parameter at several counts, those with a number of nodes at each number.
+std::vector<Job> library_jobs(const Library& library);
+
+/// What a flag is when its term is off: "0", or the choice that ends in _NONE; "" for a flag without such.
+std::string off_value(const support::Flag& flag);
+
+/// How a flag's value is written in the table: "mie=0", "ozone=lorentzian".
+std::string flag_text(const support::Flag& flag, const std::string& value);
+
+}  // namespace shader_cost

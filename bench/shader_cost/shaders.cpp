@@ -1,0 +1,75 @@
+#include "shaders.hpp"
+
+#include <sstream>
+
+#include "support/error.hpp"
+#include "support/glsl_source.hpp"
+#include "support/glsl_values.hpp"
+
+namespace shader_cost {
+namespace {
+
+/// Whether a value is of the scene and not of the ray.
+bool is_uniform(const std::string& type) {
+    return type == "Atmosphere";
+}
+
+std::string resources(const support::Manifest& manifest, bool atmosphere, std::size_t per_input,
+                      std::size_t per_result) {
+    std::ostringstream out;
+    out << "layout(local_size_x = 64) in;\n"
+        << "layout(std430, binding = " << binding::inputs
+        << ") readonly buffer Inputs { float in_data[]; };\n"
+        << "layout(std430, binding = " << binding::results
+        << ") writeonly buffer Results { float out_data[]; };\n";
+    if (atmosphere) {
+        out << "layout(std140, binding = " << binding::atmosphere << ") uniform Scene { "
+            << support::glsl_type(manifest, "Atmosphere") << " scene_atmosphere; };\n";
+    }
+    out << "float fetch(int i) {\n    return in_data[i];\n}\n"
+        << "void main() {\n"
+        << "    int base = int(gl_GlobalInvocationID.x) * " << per_input << ";\n"
+        << "    int out_base = int(gl_GlobalInvocationID.x) * " << per_result << ";\n";
+    return out.str();
+}
+
+}  // namespace
+
+std::string function_shader(const Library& library, const support::Function& function,
+                            const std::vector<Define>& defines, const std::vector<int>& counts) {
+    const support::Manifest& manifest = library.manifest;
+    std::string text = "#version 450 core\n";
+    for (const Define& define : defines) {
+        text += "#define " + define.macro + " " + define.value + "\n";
+    }
+    text +=
+        support::expand_includes("#include \"" + function.file + "\"\n", function.name, library.folders).text;
+
+    std::string arguments;
+    std::size_t at = 0;
+    std::size_t count = 0;
+    bool atmosphere = false;
+    for (const support::Member& parameter : function.parameters) {
+        std::string argument;
+        if (is_uniform(parameter.type)) {
+            atmosphere = true;
+            argument = "scene_atmosphere";
+        } else if (parameter.type == "int") {
+            if (count == counts.size()) {
+                throw support::Error("no constant was given for '" + parameter.name + "' of " +
+                                     function.name);
+            }
+            argument = std::to_string(counts[count++]);
+        } else {
+            argument = support::construct(manifest, parameter.type, at);
+        }
+        arguments += (arguments.empty() ? "" : ", ") + argument;
+    }
+    text += resources(manifest, atmosphere, at, manifest.signature(function.result).size());
+    text += "    " + support::glsl_type(manifest, function.result) + " result = " + function.glsl + "(" +
+            arguments + ");\n";
+    at = 0;
+    return text + support::store(manifest, function.result, "result", "", at) + "}\n";
+}
+
+}  // namespace shader_cost

@@ -1,0 +1,143 @@
+#define DOCTEST_CONFIG_IMPLEMENT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cost.hpp"
+#include "jobs.hpp"
+#include "radv.hpp"
+#include "spirv.hpp"
+#include "support/command_line.hpp"
+#include "support/error.hpp"
+#include "table.hpp"
+
+namespace {
+
+using namespace shader_cost;
+
+std::unique_ptr<Radv> radv;
+
+/// A shader that does `body` to a number x it has read.
+std::string shader(const std::string& body) {
+    return "#version 450 core\n"
+           "layout(local_size_x = 64) in;\n"
+           "layout(std430, binding = 0) readonly buffer Inputs { float in_data[]; };\n"
+           "layout(std430, binding = 1) writeonly buffer Results { float out_data[]; };\n"
+           "void main() {\n"
+           "    int i = int(gl_GlobalInvocationID.x);\n"
+           "    float x = in_data[i];\n" +
+           body + "    out_data[i] = x;\n}\n";
+}
+
+Statistics compiled(const std::string& body) {
+    return radv->compile(compile_glsl(shader(body), "a test"));
+}
+
+Row row(const std::string& method, double instructions) {
+    Row out{method, "steps=2", "default", {}, "none"};
+    out.statistics.instructions = instructions;
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("two square roots are two transcendental instructions more") {
+    const Statistics none = compiled("");
+    const Statistics two = compiled("x = sqrt(x); x = sqrt(x + 1.0);\n");
+    CHECK(two.transcendental - none.transcendental == 2);
+    CHECK(two.vector - none.vector == 3);  // and one addition
+    CHECK(two.instructions > none.instructions);
+    CHECK(two.every_branch == std::max(2 * two.vector, 8 * two.transcendental));
+}
+
+TEST_CASE("a loop that is left rolled hides its passes, and is reported") {
+    const auto loop = [](int passes) {
+        return "for (int k = 0; k < " + std::to_string(passes) +
+               "; ++k) { x = exp2(x) + sqrt(x); x = x > 1.0 ? x * 0.5 : x + log2(x); }\n";
+    };
+    const Statistics a = compiled(loop(100));
+    const Statistics b = compiled(loop(120));
+    CHECK(a.loops);
+    CHECK(a.instructions == b.instructions);
+}
+
+TEST_CASE("measure counts every pass, however many there are") {
+    const auto job = [](int passes) {
+        return Job{"loop", "", "default", {passes}, [](const std::vector<int>& counts) {
+                       return shader("for (int k = 0; k < " + std::to_string(counts.at(0)) +
+                                     "; ++k) { x = exp2(x) + sqrt(x); }\n");
+                   }};
+    };
+    for (const int passes : {3, 50, 300}) {  // 300 are not unrolled but counted from fewer
+        CAPTURE(passes);
+        const Row measured = measure(*radv, job(passes));
+        CHECK(measured.statistics.transcendental == 2 * passes);
+        CHECK(measured.loops == (passes == 3 ? "none" : passes == 50 ? "unrolled" : "extrapolated"));
+    }
+}
+
+TEST_CASE("loops within loops count as the product of their passes") {
+    const Job job{"loops", "", "default", {40, 30}, [](const std::vector<int>& counts) {
+                      return shader("for (int k = 0; k < " + std::to_string(counts.at(0)) +
+                                    "; ++k) { x = sqrt(x + 1.0); for (int l = 0; l < " +
+                                    std::to_string(counts.at(1)) + "; ++l) { x = exp2(x + float(l)); } }\n");
+                  }};
+    const Row measured = measure(*radv, job);
+    CHECK(measured.statistics.transcendental == 40 * (1 + 30));
+    CHECK(measured.loops == "extrapolated");
+}
+
+TEST_CASE("a shader that is no GLSL is refused with its name") {
+    CHECK_THROWS_WITH_AS(compile_glsl("#version 450 core\nvoid main() { x = 1.0; }\n", "the broken one"),
+                         doctest::Contains("the broken one"), support::Error);
+}
+
+TEST_CASE("the table that is written is the table that is read") {
+    const std::vector<Row> rows = {row("one", 12), row("two", 3456789)};
+    const Table read = read_csv(csv(rows, "made by a test"), "a test");
+    CHECK(read.made_by == "made by a test");
+    CHECK(differences(rows, read.rows, false).empty());
+    CHECK_THROWS_AS(read_csv("method,setting\n", "a test"), support::Error);
+    CHECK_THROWS_AS(read_csv(csv(rows, "made by a test") + "three,,default,none\n", "a test"),
+                    support::Error);
+}
+
+TEST_CASE("differences name rows that are new, gone or changed") {
+    const std::vector<Row> recorded = {row("same", 1), row("changed", 2), row("gone", 3)};
+    const std::vector<Row> measured = {row("same", 1), row("changed", 4), row("new", 5)};
+    const std::vector<std::string> found = differences(recorded, measured, false);
+    REQUIRE(found.size() == 3);
+    CHECK(found[0] == "changed, steps=2: instructions 2 -> 4");
+    CHECK(found[1] == "new, steps=2: is not recorded");
+    CHECK(found[2] == "gone, steps=2: is recorded, but no longer measured");
+    CHECK(differences(recorded, measured, true).size() == 2);
+}
+
+TEST_CASE("a flag's value is written without what all its values share") {
+    const support::Flag ozone{"ozone", "OZONE", "int", "OZONE_TENT", {"OZONE_NONE", "OZONE_TENT"}};
+    CHECK(flag_text(ozone, "OZONE_NONE") == "ozone=none");
+    CHECK(off_value(ozone) == "OZONE_NONE");
+    const support::Flag mie{"mie", "MIE", "bool", "1", {}};
+    CHECK(flag_text(mie, "0") == "mie=0");
+    CHECK(off_value(mie) == "0");
+    const support::Flag phase{"phase", "PHASE", "int", "PHASE_A", {"PHASE_A", "PHASE_B"}};
+    CHECK(off_value(phase).empty());
+}
+
+int main(int argc, char** argv) {
+    try {
+        radv = std::make_unique<Radv>("navi21");
+    } catch (const NoRadv& e) {
+        std::cout << (support::environment_asks({"CI", "AIRLIGHT_REQUIRE_RADV"}) ? "FAILED: " : "skipped: ")
+                  << e.what() << "\n";
+        return support::environment_asks({"CI", "AIRLIGHT_REQUIRE_RADV"}) ? 1 : support::skipped;
+    }
+    doctest::Context context(argc, argv);
+    const int status = context.run();
+    radv.reset();  // before the driver's own library goes
+    return status;
+}
