@@ -11,7 +11,7 @@ namespace shader_cost {
 /// One row of the price list.
 struct Row {
     std::string method;
-    std::string setting;  ///< "steps=16"; empty where the method has none
+    std::string setting;  ///< steps or nodes, "16" or "16x6"; empty where the method has none
     std::string flags;    ///< "default", or what differs: "mie=0"
     Statistics statistics;
     std::string loops;  ///< none, unrolled, extrapolated or rolled; see README.md

@@ -34,14 +34,12 @@ std::vector<Setting> settings(const Library& library, const support::Function& f
     std::vector<Setting> out;
     if (std::any_of(function.parameters.begin(), function.parameters.end(), takes_steps)) {
         for (const int steps : step_counts) {
-            out.push_back({"steps=" + std::to_string(steps), {}, {steps}});
+            out.push_back({std::to_string(steps), {}, {steps}});
         }
     }
     if (std::find(function.flags.begin(), function.flags.end(), nodes_flag) != function.flags.end()) {
         const support::Flag& flag = library.manifest.flag(nodes_flag);
-        const auto add = [&](const std::string& nodes) {
-            out.push_back({"nodes=" + nodes, {{flag.macro, nodes}}, {}});
-        };
+        const auto add = [&](const std::string& nodes) { out.push_back({nodes, {{flag.macro, nodes}}, {}}); };
         add(flag.default_value);
         for (const int nodes : node_counts) {
             if (std::to_string(nodes) != flag.default_value) {

@@ -38,7 +38,7 @@ Statistics compiled(const std::string& body) {
 }
 
 Row row(const std::string& method, double instructions) {
-    Row out{method, "steps=2", "default", {}, "none"};
+    Row out{method, "2", "default", {}, "none"};
     out.statistics.instructions = instructions;
     return out;
 }
@@ -111,9 +111,9 @@ TEST_CASE("differences name rows that are new, gone or changed") {
     const std::vector<Row> measured = {row("same", 1), row("changed", 4), row("new", 5)};
     const std::vector<std::string> found = differences(recorded, measured, false);
     REQUIRE(found.size() == 3);
-    CHECK(found[0] == "changed, steps=2: instructions 2 -> 4");
-    CHECK(found[1] == "new, steps=2: is not recorded");
-    CHECK(found[2] == "gone, steps=2: is recorded, but no longer measured");
+    CHECK(found[0] == "changed, 2: instructions 2 -> 4");
+    CHECK(found[1] == "new, 2: is not recorded");
+    CHECK(found[2] == "gone, 2: is recorded, but no longer measured");
     CHECK(differences(recorded, measured, true).size() == 2);
 }
 
