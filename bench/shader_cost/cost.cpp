@@ -11,9 +11,8 @@ namespace {
 
 /// More passes than this are not unrolled: Mesa's time and memory grow with the code.
 constexpr int most_passes = 128;
-/// The two numbers of passes from which others follow. From 8 on, one pass more costs the same.
+/// Fewer passes are `few`, twice `few` and so on: from 8 on, one pass more costs the same.
 constexpr int few = 8;
-constexpr int twice_as_many = 16;
 
 /// What grows with the passes.
 constexpr double Statistics::*executed[] = {&Statistics::instructions,   &Statistics::vector,
@@ -25,30 +24,42 @@ int passes(const std::vector<int>& counts) {
 }
 
 /// Loops of few passes are unrolled, however they are nested.
-bool is_extrapolated(const std::vector<int>& counts) {
-    return passes(counts) > most_passes &&
-           std::any_of(counts.begin(), counts.end(), [](int count) { return count > twice_as_many; });
+bool is_extrapolated(const Job& job, const std::vector<int>& counts) {
+    const auto many = [&](int count) { return count > few * (job.degree + 1); };
+    return (passes(counts) > most_passes || job.degree > 1) &&
+           std::any_of(counts.begin(), counts.end(), many);
 }
 
-/// a at `few` and b at `twice_as_many` passes: what it is at `count`.
-double extrapolated(double a, double b, int count) {
-    return a + (b - a) * (count - few) / (twice_as_many - few);
+/// Lagrange's polynomial that is 1 at points[i] and 0 at the other points, at x.
+double lagrange(const std::vector<int>& points, std::size_t i, int x) {
+    double out = 1;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (k != i) {
+            out *= double(x - points[k]) / double(points[i] - points[k]);
+        }
+    }
+    return out;
 }
 
 Statistics unrolled(const Radv& radv, const Job& job, std::vector<int> counts) {
-    if (!is_extrapolated(counts)) {
+    if (!is_extrapolated(job, counts)) {
         return radv.compile(with_unrolled_loops(compile_glsl(job.shader(counts), job.method)));
     }
     int& longest = *std::max_element(counts.begin(), counts.end());
     const int count = longest;
-    longest = few;
-    const Statistics a = unrolled(radv, job, counts);
-    longest = twice_as_many;
-    Statistics out = unrolled(radv, job, counts);
-    for (double Statistics::*const member : executed) {
-        out.*member = extrapolated(a.*member, out.*member, count);
+    std::vector<int> points;
+    for (int i = 1; i <= job.degree + 1; ++i) {
+        points.push_back(few * i);
     }
-    out.loops = out.loops || a.loops;
+    Statistics out;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        longest = points[i];
+        const Statistics fewer = unrolled(radv, job, counts);
+        for (double Statistics::*const member : executed) {
+            out.*member += lagrange(points, i, count) * fewer.*member;
+        }
+        out.loops = out.loops || fewer.loops;
+    }
     return out;
 }
 
@@ -60,10 +71,10 @@ Row measure(const Radv& radv, const Job& job) {
     for (double Statistics::*const member : executed) {
         row.statistics.*member = std::round(row.statistics.*member);
     }
-    row.loops = row.statistics.loops          ? "rolled"
-                : is_extrapolated(job.counts) ? "extrapolated"
-                : plain.loops                 ? "unrolled"
-                                              : "none";
+    row.loops = row.statistics.loops               ? "rolled"
+                : is_extrapolated(job, job.counts) ? "extrapolated"
+                : plain.loops                      ? "unrolled"
+                                                   : "none";
     row.statistics.code_bytes = plain.code_bytes;
     row.statistics.sgprs = plain.sgprs;
     row.statistics.vgprs = plain.vgprs;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "support/error.hpp"
+
 namespace shader_cost {
 namespace {
 
@@ -53,32 +55,79 @@ std::vector<Setting> settings(const Library& library, const support::Function& f
     return out;
 }
 
-void add_function(const Library& library, const support::Function& function, std::vector<Job>& out) {
-    const std::vector<Setting> all = settings(library, function);
-    const auto add = [&](const Setting& setting, const std::string& flags, std::vector<Define> defines) {
+/// A function at all its settings, and with each flag at each other value.
+struct Subject {
+    const support::Function* function = nullptr;
+    std::string method;
+    std::vector<Setting> settings;
+    int degree = 1;  ///< of the number of passes in the function's count
+};
+
+void add(const Library& library, const Subject& subject, std::vector<Job>& out) {
+    const support::Function& function = *subject.function;
+    const auto add_job = [&](const Setting& setting, const std::string& flags, std::vector<Define> defines) {
         defines.insert(defines.end(), setting.defines.begin(), setting.defines.end());
-        out.push_back({function.name, setting.text, flags, setting.counts,
+        out.push_back({subject.method, setting.text, flags, setting.counts,
                        [&library, &function, defines](const std::vector<int>& counts) {
                            return function_shader(library, function, defines, counts);
-                       }});
+                       },
+                       subject.degree});
     };
-    for (const Setting& setting : all) {
-        add(setting, "default", {});
+    for (const Setting& setting : subject.settings) {
+        add_job(setting, "default", {});
     }
     for (const std::string& name : function.flags) {
         const support::Flag& flag = library.manifest.flag(name);
         for (const std::string& value : other_values(flag)) {
-            add(all.front(), flag_text(flag, value), {{flag.macro, value}});
+            add_job(subject.settings.front(), flag_text(flag, value), {{flag.macro, value}});
         }
     }
 }
+
+struct Baseline {
+    const char* name;
+    std::vector<std::vector<int>> counts;
+    int degree = 1;
+};
+
+/// With the settings that their authors and users give; see study/baselines.
+const std::vector<Baseline> baselines_and_settings = {
+    {"leenman", {{16, 6}, {12, 4}, {64, 16}, {256, 64}}},
+    {"cs562", {{21}, {31}, {801}}},
+    {"hillaire", {{30}}},
+    {"schueler", {{64}}},
+    {"hdrp", {{64}, {256}}},
+    {"double_loop", {{64}}, 2},
+};
 
 }  // namespace
 
 std::vector<Job> library_jobs(const Library& library) {
     std::vector<Job> out;
     for (const support::Function& function : library.manifest.functions) {
-        add_function(library, function, out);
+        add(library, {&function, function.name, settings(library, function)}, out);
+    }
+    return out;
+}
+
+std::vector<Job> baseline_jobs(const Library& baselines) {
+    std::vector<Job> out;
+    for (const Baseline& baseline : baselines_and_settings) {
+        const support::Function* const function =
+            baselines.manifest.function(std::string("baseline::") + baseline.name);
+        if (function == nullptr) {
+            throw support::Error(std::string("study/baselines has no '") + baseline.name +
+                                 "' any more; take it out of bench/shader_cost/jobs.cpp");
+        }
+        Subject subject{function, baseline.name, {}, baseline.degree};
+        for (const std::vector<int>& counts : baseline.counts) {
+            std::string text;
+            for (const int count : counts) {
+                text += (text.empty() ? "" : "x") + std::to_string(count);
+            }
+            subject.settings.push_back({text, {}, counts});
+        }
+        add(baselines, subject, out);
     }
     return out;
 }

@@ -12,6 +12,10 @@ namespace shader_cost {
 /// with an `int` parameter at several counts, those with a number of nodes at each number.
 std::vector<Job> library_jobs(const Library& library);
 
+/// The methods that airlight is compared with, each at the settings that it is used with; at the first of
+/// them with each flag at each other value. Throws support::Error when `baselines` lacks one.
+std::vector<Job> baseline_jobs(const Library& baselines);
+
 /// What a flag is when its term is off: "0", or the choice that ends in _NONE; "" for a flag without such.
 std::string off_value(const support::Flag& flag);
 

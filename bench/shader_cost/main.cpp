@@ -22,6 +22,7 @@ namespace {
 struct Options {
     std::string family = "navi21";
     std::filesystem::path glsl = SHADER_COST_GLSL_DIR;
+    std::filesystem::path baselines = SHADER_COST_BASELINES_DIR;
     std::filesystem::path results = SHADER_COST_RESULTS;
     std::string method;
     bool write = false;
@@ -46,8 +47,12 @@ std::vector<Row> measure_all(const Radv& radv, const std::vector<Job>& jobs) {
     return rows;
 }
 
-std::vector<Job> chosen_jobs(const Library& library, const Options& options) {
+std::vector<Job> chosen_jobs(const Library& library, const Library& baselines, const Options& options) {
     std::vector<Job> out = library_jobs(library);
+    if (!options.check_flags) {
+        const std::vector<Job> others = baseline_jobs(baselines);
+        out.insert(out.end(), others.begin(), others.end());
+    }
     const auto other = [&](const Job& job) {
         return (!options.method.empty() && job.method != options.method) ||
                (options.check_flags && library.manifest.function(job.method)->flags.empty());
@@ -87,7 +92,8 @@ int run(const Options& options) {
             "--write and the checks of the whole table need every method; leave out --method");
     }
     const Library library{support::read_manifest(options.glsl / "manifest.json"), {options.glsl}};
-    const std::vector<Job> jobs = chosen_jobs(library, options);
+    const Library baselines{support::read_manifest(options.baselines / "manifest.json"), {options.baselines}};
+    const std::vector<Job> jobs = chosen_jobs(library, baselines, options);
     const auto recorded = [&] {
         return read_csv(support::read_file(options.results), options.results.string());
     };
@@ -145,6 +151,8 @@ int main(int argc, char** argv) {
     support::add_value(app, "--method", "<name>", options.method, "this function only");
     support::add_value(app, "--glsl", "<folder>", options.glsl,
                        "the generated GLSL and its manifest.json (default: that of the source tree)");
+    support::add_value(app, "--baselines", "<folder>", options.baselines,
+                       "the GLSL of study/baselines and its manifest.json (default: that of the build)");
     support::add_value(app, "--results", "<file>", options.results,
                        "the table to write or to compare with (default: results.csv of the source tree)");
     support::add_switch(app, "--write", options.write, "write the table");

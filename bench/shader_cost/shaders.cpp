@@ -14,6 +14,22 @@ bool is_uniform(const std::string& type) {
     return type == "Atmosphere";
 }
 
+/// Defines the hooks that a table may stand behind: those that take texture coordinates.
+std::string tables(const support::Manifest& manifest, const support::Function& function) {
+    std::string out;
+    for (const std::string& name : function.hooks) {
+        const support::Hook& hook = manifest.hook(name);
+        if (hook.parameters != std::vector<std::string>{"uv"}) {
+            continue;
+        }
+        if (out.empty()) {
+            out = "layout(binding = " + std::to_string(binding::table) + ") uniform sampler2D table;\n";
+        }
+        out += "#define " + hook.macro + "(uv) textureLod(table, uv, 0.0).rgb\n";
+    }
+    return out;
+}
+
 std::string resources(const support::Manifest& manifest, bool atmosphere, std::size_t per_input,
                       std::size_t per_result) {
     std::ostringstream out;
@@ -42,6 +58,7 @@ std::string function_shader(const Library& library, const support::Function& fun
     for (const Define& define : defines) {
         text += "#define " + define.macro + " " + define.value + "\n";
     }
+    text += tables(manifest, function);
     text +=
         support::expand_includes("#include \"" + function.file + "\"\n", function.name, library.folders).text;
 

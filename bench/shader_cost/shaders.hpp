@@ -31,8 +31,8 @@ struct Define {
 };
 
 /// A compute shader in which every invocation reads its inputs from a buffer, calls `function` and writes all
-/// of its result. An Atmosphere comes from a uniform block, and the function's `int` parameters are the
-/// constants `counts`, in their order.
+/// of its result. A hook that takes texture coordinates reads a texture. An Atmosphere comes from a uniform
+/// block, and the function's `int` parameters are the constants `counts`, in their order.
 std::string function_shader(const Library& library, const support::Function& function,
                             const std::vector<Define>& defines, const std::vector<int>& counts);
 

@@ -91,6 +91,21 @@ TEST_CASE("loops within loops count as the product of their passes") {
     CHECK(measured.loops == "extrapolated");
 }
 
+TEST_CASE("a loop whose body grows with the passes counts as a square") {
+    const Job job{"square",
+                  "",
+                  "default",
+                  {40},
+                  [](const std::vector<int>& counts) {
+                      const std::string n = std::to_string(counts.at(0));
+                      return shader("for (int k = 0; k < " + n +
+                                    "; ++k) { x = sqrt(x + 1.0); for (int l = 0; l < " + n +
+                                    "; ++l) { x = exp2(x + float(l)); } }\n");
+                  },
+                  2};
+    CHECK(measure(*radv, job).statistics.transcendental == 40 * (1 + 40));
+}
+
 TEST_CASE("a shader that is no GLSL is refused with its name") {
     CHECK_THROWS_WITH_AS(compile_glsl("#version 450 core\nvoid main() { x = 1.0; }\n", "the broken one"),
                          doctest::Contains("the broken one"), support::Error);
