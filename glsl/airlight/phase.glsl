@@ -117,8 +117,8 @@ float airlight_schlick_phase(float cos_theta, float k) {
 //           Rendering (2023), as implemented in webgpu-sky-atmosphere.
 float airlight_draine_phase(float cos_theta, float g, float alpha) {
     float lobe = airlight_henyey_greenstein_phase(cos_theta, g);
-    float norm = 1.0 + alpha * (1.0 + 2.0 * g * g) / 3.0;
-    return lobe * (1.0 + alpha * cos_theta * cos_theta) / norm;
+    float norm = 1.0 + alpha * ((1.0 + 2.0 * g * g) / 3.0);
+    return lobe * ((1.0 + alpha * (cos_theta * cos_theta)) / norm);
 }
 
 // Phase function of fog and cloud droplets, a fit to Mie theory for white light.

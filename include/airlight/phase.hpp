@@ -125,8 +125,8 @@ T schlick_phase(T cos_theta, T k) {
 template <typename T>
 T draine_phase(T cos_theta, T g, T alpha) {
     const T lobe = henyey_greenstein_phase(cos_theta, g);
-    const T norm = T(1) + alpha * (T(1) + T(2) * g * g) / T(3);
-    return lobe * (T(1) + alpha * cos_theta * cos_theta) / norm;
+    const T norm = T(1) + alpha * ((T(1) + T(2) * g * g) / T(3));
+    return lobe * ((T(1) + alpha * (cos_theta * cos_theta)) / norm);
 }
 
 /// Phase function of fog and cloud droplets, a fit to Mie theory for white light.
