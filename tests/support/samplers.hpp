@@ -10,9 +10,9 @@
 namespace airlight_test {
 
 /// SplitMix64 (Steele, Lea, Flood 2014): 64 good bits from a counter.
-class Random {
+class SplitMix64 {
   public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
+    explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
 
     std::uint64_t bits() {
         state_ += 0x9E3779B97F4A7C15u;
@@ -21,6 +21,17 @@ class Random {
         z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
         return z ^ (z >> 31);
     }
+
+  private:
+    std::uint64_t state_;
+};
+
+/// Numbers of many kinds from a source of 64 bits.
+template <typename Source>
+class Draws : public Source {
+  public:
+    using Source::bits;
+    using Source::Source;
 
     /// Uniform in [0, 1), 53 bits.
     double unit() {
@@ -48,12 +59,13 @@ class Random {
         const double z = uniform(-1.0, 1.0);
         const double phi = uniform(0.0, 6.283185307179586);
         const double sine = std::sqrt((1.0 - z) * (1.0 + z));
-        return airlight::vec3<T>(T(sine * std::cos(phi)), T(sine * std::sin(phi)), T(z));
+        const airlight::vec3<T> drawn(T(sine * std::cos(phi)), T(sine * std::sin(phi)), T(z));
+        // A type wider than double sees that double's vector is none of length 1.
+        return sizeof(T) > sizeof(double) ? drawn / std::sqrt(glm::dot(drawn, drawn)) : drawn;
     }
-
-  private:
-    std::uint64_t state_;
 };
+
+using Random = Draws<SplitMix64>;
 
 /// `count` cells of [low, high], a point in each: a stratified sweep that always holds both ends.
 template <typename Function>

@@ -23,5 +23,13 @@ struct Fog : airlight::DefaultScene {
 struct NoShadow : airlight::DefaultScene {
     static constexpr bool planet_shadow = false;
 };
+struct LorentzianHenyeyGreenstein : Lorentzian {
+    static constexpr int mie_phase = airlight::phase_henyey_greenstein;
+};
+/// Molecules only, and no ground sphere.
+struct Bare : NoMie {
+    static constexpr int ozone = airlight::ozone_none;
+    static constexpr bool planet_shadow = false;
+};
 
 }  // namespace airlight_test

@@ -48,11 +48,6 @@ double column_error(double got, long double expected) {
     return static_cast<double>(std::fabs(static_cast<long double>(got) - expected));
 }
 
-// Molecules only.
-struct Bare : NoMie {
-    static constexpr int ozone = ozone_none;
-};
-
 // The lowest point of a path.
 template <typename T>
 T lowest_altitude(const AirPath<T>& path) {
