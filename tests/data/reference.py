@@ -52,14 +52,14 @@ def figure(x):
     return mpmath.nstr(x, 6)
 
 
-def write_table(name, about, columns, rows, folder=None):
-    """Writes name.csv; a half-written file never stands under the final name."""
+def write_table(name, about, columns, rows, folder=None, script=None):
+    """Writes name.csv; a half-written file never stands under the final name. `script` is the caller's path."""
     folder = folder or os.environ.get("AIRLIGHT_TABLES", FOLDER)
     rows = [[text(cell) for cell in row] for row in rows]
     assert rows and all(len(row) == len(columns) for row in rows)
     descriptor, temporary = tempfile.mkstemp(dir=folder, prefix=name, suffix=".part")
     with os.fdopen(descriptor, "w", encoding="ascii", newline="\n") as file:
-        file.write("# Written by tests/data/%s_table.py; edit that file, not this one.\n" % name)
+        file.write("# Written by %s; edit that file, not this one.\n" % (script or "tests/data/%s_table.py" % name))
         for line in about.strip().splitlines():
             file.write("# " + line.strip() + "\n")
         file.write(",".join(columns) + "\n")

@@ -1,0 +1,27 @@
+#pragma once
+
+// What every setting costs on a CPU.
+
+#include <vector>
+
+#include "errors.hpp"
+#include "methods.hpp"
+
+namespace study {
+
+struct Cost {
+    double exponentials;  ///< exp and pow per ray, the mean over the suite
+    double roots;         ///< sqrt per ray
+    double divisions;     ///< per ray
+    double nanoseconds;   ///< per ray in float, the median over the rounds
+    double ratio;         ///< of that to the yardstick's, the median over the rounds
+};
+
+/// The cost of each setting over the suite's rays: operations counted by a scalar that counts, time in float
+/// on one thread of the processor's own clock, every setting once a round, in turn.
+std::vector<Cost> costs(const std::vector<Setting>& settings, int rounds, const Progress& progress);
+
+/// The processor's name, as the machine reports it.
+std::string processor();
+
+}  // namespace study
