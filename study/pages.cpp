@@ -56,7 +56,8 @@ class Figures {
         : tables_(tables),
           name_(name_of(setting.method)),
           text_(text_of(setting)),
-          steps_(std::to_string(setting.steps)) {}
+          // The GPU's table counts what the function is given: CS562's takes samples, one more than steps.
+          given_(std::to_string(setting.steps + (setting.method == Method::cs562 ? 1 : 0))) {}
 
     double error(const std::string& views, const std::string& column) const {
         return number(tables_.errors, {{"method", name_}, {"setting", text_}, {"views", views}}, column);
@@ -67,7 +68,7 @@ class Figures {
     /// NaN where the GPU's table has no such row.
     double gpu(const std::string& column) const {
         for (const std::string& name : {name_, "baseline::" + name_}) {
-            for (const std::string& text : {text_, steps_}) {
+            for (const std::string& text : {text_, given_}) {
                 const std::size_t row =
                     tables_.gpu.columns.empty()
                         ? 0
@@ -94,7 +95,7 @@ class Figures {
     const Tables& tables_;
     std::string name_;
     std::string text_;
-    std::string steps_;
+    std::string given_;
 };
 
 double gpu_ratio(const Tables& tables, const Setting& setting) {
