@@ -8,7 +8,7 @@ airlight_build_packages=(cmake:cmake ninja:ninja-build pkg-config:pkg-config lib
 airlight_gl_packages=(libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri)
 airlight_example_packages=("${airlight_gl_packages[@]}" libopenexr-dev libimath-dev libpng-dev libcli11-dev)
 airlight_test_packages=(doctest-dev nlohmann-json3-dev libclang-14-dev glslangValidator:glslang-tools)
-airlight_bench_packages=(mesa-vulkan-drivers libvulkan-dev glslang-dev spirv-tools)
+airlight_bench_packages=(libbenchmark-dev mesa-vulkan-drivers libvulkan-dev glslang-dev spirv-tools)
 airlight_ci_packages=(clang++:clang clang-format-14:clang-format-14 chromium:chromium)
 
 say() {

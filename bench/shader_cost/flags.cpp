@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "jobs.hpp"
 #include "table.hpp"
+#include "variants.hpp"
 
 namespace shader_cost {
 namespace {
@@ -28,12 +28,13 @@ const Row* find(const std::vector<Row>& rows, const Row& like, const std::string
 std::vector<std::string> flags_that_save_nothing(const Library& library, const std::vector<Row>& rows) {
     std::vector<std::string> out;
     for (const support::Flag& flag : library.manifest.flags) {
-        const std::string off = off_value(flag);
+        const std::string off = bench::off_value(flag);
         if (off.empty()) {
             continue;
         }
         for (const Row& on : rows) {
-            const Row* const without = on.flags == "default" ? find(rows, on, flag_text(flag, off)) : nullptr;
+            const Row* const without =
+                on.flags == "default" ? find(rows, on, bench::flag_text(flag, off)) : nullptr;
             if (without == nullptr) {
                 continue;
             }

@@ -1,85 +1,33 @@
 #include "jobs.hpp"
 
-#include <algorithm>
-#include <cctype>
-
 #include "support/error.hpp"
+#include "variants.hpp"
 
 namespace shader_cost {
 namespace {
 
-/// Of functions that march.
-const std::vector<int> step_counts = {16, 32, 64};
-/// Of the node method, every number that it has constants for.
-const std::vector<int> node_counts = {4, 5, 6, 8, 10, 12, 16, 24};
-
-const char* const nodes_flag = "nodes";
-
-/// The values of a flag other than its default; none of a flag that counts, such as the nodes.
-std::vector<std::string> other_values(const support::Flag& flag) {
-    std::vector<std::string> out = flag.type == "bool" ? std::vector<std::string>{"0", "1"} : flag.choices;
-    out.erase(std::remove(out.begin(), out.end(), flag.default_value), out.end());
-    return out;
+void add(const Library& library, const support::Function& function, const std::string& method,
+         const bench::Variant& variant, int degree, std::vector<Job>& out) {
+    out.push_back({method, variant.setting, variant.flags, variant.counts,
+                   [&library, &function, values = variant.values](const std::vector<int>& counts) {
+                       return function_shader(library, function, values, counts);
+                   },
+                   degree});
 }
 
-/// One row of the table for a function without flags of its own.
-struct Setting {
-    std::string text;
-    std::vector<Define> defines;
-    std::vector<int> counts;
-};
-
-/// The settings of a function: its steps, its nodes, or the one that every function has. The first is the one
-/// at which flags are tried.
-std::vector<Setting> settings(const Library& library, const support::Function& function) {
-    const auto takes_steps = [](const support::Member& p) { return p.type == "int"; };
-    std::vector<Setting> out;
-    if (std::any_of(function.parameters.begin(), function.parameters.end(), takes_steps)) {
-        for (const int steps : step_counts) {
-            out.push_back({std::to_string(steps), {}, {steps}});
-        }
+/// Every setting, and with each flag at each other value: the first setting, or where the method has a number
+/// of nodes each of them, because that is the choice that users have.
+void add_all(const Library& library, const support::Function& function, const std::string& method,
+             const std::vector<bench::Variant>& settings, int degree, std::vector<Job>& out) {
+    const bool nodes = settings.size() > 1 && settings.front().counts.empty();
+    for (const bench::Variant& setting : settings) {
+        add(library, function, method, setting, degree, out);
     }
-    if (std::find(function.flags.begin(), function.flags.end(), nodes_flag) != function.flags.end()) {
-        const support::Flag& flag = library.manifest.flag(nodes_flag);
-        const auto add = [&](const std::string& nodes) { out.push_back({nodes, {{flag.macro, nodes}}, {}}); };
-        add(flag.default_value);
-        for (const int nodes : node_counts) {
-            if (std::to_string(nodes) != flag.default_value) {
-                add(std::to_string(nodes));
+    for (const bench::Variant& setting : settings) {
+        if (nodes || &setting == &settings.front()) {
+            for (const bench::Variant& variant : bench::flag_variants(library.manifest, function, setting)) {
+                add(library, function, method, variant, degree, out);
             }
-        }
-    }
-    if (out.empty()) {
-        out.push_back({});
-    }
-    return out;
-}
-
-/// A function at all its settings, and with each flag at each other value.
-struct Subject {
-    const support::Function* function = nullptr;
-    std::string method;
-    std::vector<Setting> settings;
-    int degree = 1;  ///< of the number of passes in the function's count
-};
-
-void add(const Library& library, const Subject& subject, std::vector<Job>& out) {
-    const support::Function& function = *subject.function;
-    const auto add_job = [&](const Setting& setting, const std::string& flags, std::vector<Define> defines) {
-        defines.insert(defines.end(), setting.defines.begin(), setting.defines.end());
-        out.push_back({subject.method, setting.text, flags, setting.counts,
-                       [&library, &function, defines](const std::vector<int>& counts) {
-                           return function_shader(library, function, defines, counts);
-                       },
-                       subject.degree});
-    };
-    for (const Setting& setting : subject.settings) {
-        add_job(setting, "default", {});
-    }
-    for (const std::string& name : function.flags) {
-        const support::Flag& flag = library.manifest.flag(name);
-        for (const std::string& value : other_values(flag)) {
-            add_job(subject.settings.front(), flag_text(flag, value), {{flag.macro, value}});
         }
     }
 }
@@ -105,7 +53,7 @@ const std::vector<Baseline> baselines_and_settings = {
 std::vector<Job> library_jobs(const Library& library) {
     std::vector<Job> out;
     for (const support::Function& function : library.manifest.functions) {
-        add(library, {&function, function.name, settings(library, function)}, out);
+        add_all(library, function, function.name, bench::settings(library.manifest, function), 1, out);
     }
     return out;
 }
@@ -119,50 +67,17 @@ std::vector<Job> baseline_jobs(const Library& baselines) {
             throw support::Error(std::string("study/baselines has no '") + baseline.name +
                                  "' any more; take it out of bench/shader_cost/jobs.cpp");
         }
-        Subject subject{function, baseline.name, {}, baseline.degree};
+        std::vector<bench::Variant> settings;
         for (const std::vector<int>& counts : baseline.counts) {
             std::string text;
             for (const int count : counts) {
                 text += (text.empty() ? "" : "x") + std::to_string(count);
             }
-            subject.settings.push_back({text, {}, counts});
+            settings.push_back({text, "default", {}, counts});
         }
-        add(baselines, subject, out);
+        add_all(baselines, *function, baseline.name, settings, baseline.degree, out);
     }
     return out;
-}
-
-std::string off_value(const support::Flag& flag) {
-    if (flag.type == "bool") {
-        return flag.default_value == "0" ? "" : "0";
-    }
-    const std::string none = "_NONE";
-    for (const std::string& choice : flag.choices) {
-        if (choice.size() > none.size() &&
-            choice.compare(choice.size() - none.size(), none.size(), none) == 0) {
-            return choice;
-        }
-    }
-    return "";
-}
-
-std::string flag_text(const support::Flag& flag, const std::string& value) {
-    // AIRLIGHT_OZONE_NONE of ozone is none; AIRLIGHT_PHASE_FOG of mie_phase is fog.
-    std::string text = value;
-    if (!flag.choices.empty()) {
-        std::size_t shared = flag.choices.front().size();
-        for (const std::string& choice : flag.choices) {
-            std::size_t same = 0;
-            while (same < shared && same < choice.size() && choice[same] == flag.choices.front()[same]) {
-                ++same;
-            }
-            shared = same;
-        }
-        text = value.substr(shared);
-    }
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return flag.name + "=" + text;
 }
 
 }  // namespace shader_cost

@@ -16,10 +16,4 @@ std::vector<Job> library_jobs(const Library& library);
 /// them with each flag at each other value. Throws support::Error when `baselines` lacks one.
 std::vector<Job> baseline_jobs(const Library& baselines);
 
-/// What a flag is when its term is off: "0", or the choice that ends in _NONE; "" for a flag without such.
-std::string off_value(const support::Flag& flag);
-
-/// How a flag's value is written in the table: "mie=0", "ozone=lorentzian".
-std::string flag_text(const support::Flag& flag, const std::string& value);
-
 }  // namespace shader_cost

@@ -52,11 +52,11 @@ std::string resources(const support::Manifest& manifest, bool atmosphere, std::s
 }  // namespace
 
 std::string function_shader(const Library& library, const support::Function& function,
-                            const std::vector<Define>& defines, const std::vector<int>& counts) {
+                            const std::vector<bench::FlagValue>& flags, const std::vector<int>& counts) {
     const support::Manifest& manifest = library.manifest;
     std::string text = "#version 450 core\n";
-    for (const Define& define : defines) {
-        text += "#define " + define.macro + " " + define.value + "\n";
+    for (const bench::FlagValue& flag : flags) {
+        text += "#define " + flag.macro + " " + flag.value + "\n";
     }
     text += tables(manifest, function);
     text +=

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/manifest.hpp"
+#include "variants.hpp"
 
 namespace shader_cost {
 
@@ -25,15 +26,10 @@ struct Library {
     std::vector<std::filesystem::path> folders;  ///< searched in this order for what a file includes
 };
 
-struct Define {
-    std::string macro;
-    std::string value;
-};
-
 /// A compute shader in which every invocation reads its inputs from a buffer, calls `function` and writes all
 /// of its result. A hook that takes texture coordinates reads a texture. An Atmosphere comes from a uniform
 /// block, and the function's `int` parameters are the constants `counts`, in their order.
 std::string function_shader(const Library& library, const support::Function& function,
-                            const std::vector<Define>& defines, const std::vector<int>& counts);
+                            const std::vector<bench::FlagValue>& flags, const std::vector<int>& counts);
 
 }  // namespace shader_cost

@@ -8,12 +8,12 @@
 #include <string>
 
 #include "cost.hpp"
-#include "jobs.hpp"
 #include "radv.hpp"
 #include "spirv.hpp"
 #include "support/command_line.hpp"
 #include "support/error.hpp"
 #include "table.hpp"
+#include "variants.hpp"
 
 namespace {
 
@@ -134,13 +134,13 @@ TEST_CASE("differences name rows that are new, gone or changed") {
 
 TEST_CASE("a flag's value is written without what all its values share") {
     const support::Flag ozone{"ozone", "OZONE", "int", "OZONE_TENT", {"OZONE_NONE", "OZONE_TENT"}};
-    CHECK(flag_text(ozone, "OZONE_NONE") == "ozone=none");
-    CHECK(off_value(ozone) == "OZONE_NONE");
+    CHECK(bench::flag_text(ozone, "OZONE_NONE") == "ozone=none");
+    CHECK(bench::off_value(ozone) == "OZONE_NONE");
     const support::Flag mie{"mie", "MIE", "bool", "1", {}};
-    CHECK(flag_text(mie, "0") == "mie=0");
-    CHECK(off_value(mie) == "0");
+    CHECK(bench::flag_text(mie, "0") == "mie=0");
+    CHECK(bench::off_value(mie) == "0");
     const support::Flag phase{"phase", "PHASE", "int", "PHASE_A", {"PHASE_A", "PHASE_B"}};
-    CHECK(off_value(phase).empty());
+    CHECK(bench::off_value(phase).empty());
 }
 
 int main(int argc, char** argv) {

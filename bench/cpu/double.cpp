@@ -1,0 +1,4 @@
+#define SCALAR double
+#define SCALAR_NAME "double"
+#define ADD_BENCHMARKS add_double
+#include "benchmarks.inc"
