@@ -82,8 +82,7 @@ int run(int argc, char** argv) {
     }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
-        std::cerr << help;
-        return 2;
+        return 1;
     }
     if (!wants_table) {
         return benchmark::RunSpecifiedBenchmarks() > 0 ? 0 : 1;
