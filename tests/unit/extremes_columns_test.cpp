@@ -120,9 +120,10 @@ TEST_CASE("float columns stay within their bound of double's, whatever the air")
         const auto compare = [&](const char* promise, float result, double truth, double scale_height) {
             if (has_column_laws(wide, path, scale_height, u)) {
                 const double density = std::exp(-lowest_altitude(path) / scale_height);
-                const double bound = exponential_column_bound(wide, path, scale_height, truth, u) +
-                                     density * touching_way(wide, path, u) +
-                                     std::numeric_limits<float>::min() * (1 + scale_height);
+                const double bound =
+                    exponential_column_bound(wide, path, scale_height, truth, u) +
+                    density * touching_way(wide, path, u) +
+                    std::numeric_limits<float>::min() * (1 + level_air(wide, 0.0, scale_height));
                 verdict.within(promise, std::fabs(static_cast<double>(result) - truth), bound);
             }
         };
