@@ -38,15 +38,15 @@ std::vector<std::string> flags_that_save_nothing(const Library& library, const s
             if (without == nullptr) {
                 continue;
             }
-            const double difference = on.statistics.instructions - without->statistics.instructions;
+            const double difference = on.price.counts.instructions - without->price.counts.instructions;
             const bool equal_is_right = std::find(untouched.begin(), untouched.end(),
                                                   std::make_pair(on.method, flag.name)) != untouched.end();
             if (equal_is_right ? difference != 0 : difference <= 0) {
-                out.push_back(key(*without) + ": " + std::to_string(long(without->statistics.instructions)) +
-                              " instructions, with the term " +
-                              std::to_string(long(on.statistics.instructions)) +
-                              (equal_is_right ? "; must be equal, the term is not part of it"
-                                              : "; must be fewer, or the function be named in flags.cpp"));
+                out.push_back(
+                    key(*without) + ": " + std::to_string(long(without->price.counts.instructions)) +
+                    " instructions, with the term " + std::to_string(long(on.price.counts.instructions)) +
+                    (equal_is_right ? "; must be equal, the term is not part of it"
+                                    : "; must be fewer, or the function be named in flags.cpp"));
             }
         }
     }

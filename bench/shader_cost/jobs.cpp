@@ -1,18 +1,37 @@
 #include "jobs.hpp"
 
+#include <utility>
+
 #include "support/error.hpp"
 #include "variants.hpp"
 
 namespace shader_cost {
 namespace {
 
+/// Loops over the pieces of a ray, around the loop over the nodes: legs times cuts of single_scattering.
+const std::vector<int> passes_over_pieces = {2, 4};
+
+bool has_pieces(const support::Function& function) {
+    return function.name == "single_scattering";
+}
+
 void add(const Library& library, const support::Function& function, const std::string& method,
          const bench::Variant& variant, int degree, std::vector<Job>& out) {
-    out.push_back({method, variant.setting, variant.flags, variant.counts,
-                   [&library, &function, values = variant.values](const std::vector<int>& counts) {
-                       return function_shader(library, function, values, counts);
-                   },
-                   degree});
+    Job job{method,
+            variant.setting,
+            variant.flags,
+            variant.counts,
+            [&library, &function, values = variant.values](const std::vector<int>& counts) {
+                return function_shader(library, function, values, counts);
+            },
+            degree,
+            {},
+            0};
+    if (has_pieces(function)) {
+        job.piece_passes = passes_over_pieces;
+        job.pieces = 1;
+    }
+    out.push_back(std::move(job));
 }
 
 /// Every setting, and with each flag at each other value: the first setting, or where the method has a number

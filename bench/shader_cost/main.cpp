@@ -31,7 +31,7 @@ struct Options {
     bool check_flags = false;
 };
 
-std::vector<Row> measure_all(const Radv& radv, const std::vector<Job>& jobs) {
+std::vector<Row> measure_all(const Pricing& pricing, const std::vector<Job>& jobs) {
     const bool progress = isatty(STDERR_FILENO) != 0;
     std::vector<Row> rows;
     for (const Job& job : jobs) {
@@ -39,7 +39,7 @@ std::vector<Row> measure_all(const Radv& radv, const std::vector<Job>& jobs) {
             std::cerr << "\r\033[K" << rows.size() + 1 << " of " << jobs.size() << ": " << job.method << " "
                       << job.setting << std::flush;
         }
-        rows.push_back(measure(radv, job));
+        rows.push_back(pricing.measure(job));
     }
     if (progress) {
         std::cerr << "\r\033[K";
@@ -110,7 +110,7 @@ int run(const Options& options) {
                   << "\n";
         return support::skipped;
     }
-    const std::vector<Row> rows = measure_all(radv, jobs);
+    const std::vector<Row> rows = measure_all(Pricing(radv), jobs);
     std::cout << made_by << "\n\n";
     print(std::cout, rows);
     if (options.write) {

@@ -14,27 +14,35 @@ class NoRadv : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What Mesa's compiler says about one compute shader. Counts are of the code, not of what one run executes.
-struct Statistics {
+/// Machine instructions.
+struct Counts {
     double instructions = 0;
     double vector = 0;          ///< of these, those that the vector unit executes, one lane a ray
-    double transcendental = 0;  ///< of these, exp, log, 1/x, sqrt, 1/sqrt, sin, cos: four times the time
-    double every_branch = 0;    ///< cycles that these keep the vector unit busy; see vector_cycles
+    double transcendental = 0;  ///< of these, exp, log, 1/x, sqrt, 1/sqrt, sin, cos: a quarter of the rate
+};
+
+/// Code without a jump into or out of it.
+struct Block {
+    int loops = 0;             ///< how many loops it lies in
+    int conditions = 0;        ///< how many divergent branches it lies in
+    bool conditional = false;  ///< whether one of these lies within the innermost loop
+    Counts counts;
+};
+
+/// What Mesa's compiler says about one compute shader.
+struct Compiled {
+    Counts counts;  ///< of the code, every block once
+    std::vector<Block> blocks;
+    double reported_instructions = 0;  ///< by RADV, of which counts and blocks are the parts
+    double latency = 0;                ///< cycles one wave takes, by RADV's guesses of passes and branches
+    double inverse_throughput = 0;     ///< cycles between two waves of 64 that a full SIMD finishes, likewise
     double code_bytes = 0;
     double sgprs = 0;
     double vgprs = 0;
-    double spilled = 0;             ///< registers that went to memory
-    double latency = 0;             ///< cycles one wave takes
-    double inverse_throughput = 0;  ///< cycles between two waves of 64 that a full SIMD finishes
-    bool loops = false;             ///< some loop was left, and stands once in every count
-};
+    double spilled = 0;  ///< registers that went to memory
 
-/// Cycles that a wave of 64 rays keeps the vector unit of an RDNA GPU busy, when it enters every branch: each
-/// vector instruction issues twice, for 32 rays at a time, and the unit for transcendental ones takes 4
-/// cycles for each half. These are the rates that Mesa's compiler assumes for its own figures.
-constexpr double vector_cycles(double vector, double transcendental) {
-    return 2 * vector > 8 * transcendental ? 2 * vector : 8 * transcendental;
-}
+    bool has_loops() const;
+};
 
 /// RADV, Mesa's Vulkan driver for AMD, on a null device: it compiles for a GPU family and runs nothing.
 class Radv {
@@ -51,7 +59,7 @@ class Radv {
 
     /// Compiles a compute shader whose resources are those of `preamble` in shaders.hpp.
     /// Throws support::Error when the driver refuses it.
-    Statistics compile(const std::vector<std::uint32_t>& spirv) const;
+    Compiled compile(const std::vector<std::uint32_t>& spirv) const;
 
   private:
     struct Device;

@@ -44,17 +44,31 @@ std::vector<std::uint32_t> compile_glsl(const std::string& glsl, const std::stri
     return out;
 }
 
-std::vector<std::uint32_t> with_unrolled_loops(std::vector<std::uint32_t> spirv) {
+std::vector<std::uint32_t> with_unrolled_loops(std::vector<std::uint32_t> spirv, Loops loops) {
     constexpr std::size_t header_words = 5;
-    constexpr std::uint32_t op_loop_merge = 246;
-    constexpr std::uint32_t loop_control_unroll = 1;
+    constexpr std::uint32_t op_loop_merge =
+        246;  // operands: the label behind the loop, another one, the control
+    constexpr std::uint32_t op_label = 248;
+    constexpr std::uint32_t unroll = 1;
+    constexpr std::uint32_t dont_unroll = 2;
+    std::vector<std::size_t> open;  // where the OpLoopMerge of the loops around stand, outermost first
     for (std::size_t at = header_words; at < spirv.size();) {
         const std::uint32_t words = spirv[at] >> 16;
-        if ((spirv[at] & 0xffffu) == op_loop_merge && words >= 4) {
-            spirv[at + 3] = loop_control_unroll;
-        }
-        if (words == 0) {
+        const std::uint32_t op = spirv[at] & 0xffffu;
+        if (words == 0 || at + words > spirv.size()) {
             throw support::Error("glslang wrote SPIR-V that ends in the middle of an instruction");
+        }
+        if (op == op_label) {
+            while (!open.empty() && spirv[open.back() + 1] == spirv[at + 1]) {
+                open.pop_back();
+            }
+        }
+        if (op == op_loop_merge) {
+            if (loops == Loops::innermost && !open.empty()) {
+                spirv[open.back() + 3] = dont_unroll;
+            }
+            spirv[at + 3] = unroll;
+            open.push_back(at);
         }
         at += words;
     }

@@ -1,6 +1,7 @@
 #include "table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -12,21 +13,25 @@ namespace {
 
 struct Column {
     const char* name;
-    double Statistics::*value;
+    double& (*of)(Price& price);
 };
 
 const Column columns[] = {
-    {"instructions", &Statistics::instructions},
-    {"vgprs", &Statistics::vgprs},
-    {"latency_cycles", &Statistics::latency},
-    {"inverse_throughput_cycles", &Statistics::inverse_throughput},
-    {"every_branch_cycles", &Statistics::every_branch},
-    {"vector_instructions", &Statistics::vector},
-    {"transcendental_instructions", &Statistics::transcendental},
-    {"sgprs", &Statistics::sgprs},
-    {"spilled_registers", &Statistics::spilled},
-    {"code_bytes", &Statistics::code_bytes},
+    {"instructions", [](Price& p) -> double& { return p.counts.instructions; }},
+    {"vgprs", [](Price& p) -> double& { return p.vgprs; }},
+    {"latency_cycles", [](Price& p) -> double& { return p.latency; }},
+    {"inverse_throughput_cycles", [](Price& p) -> double& { return p.inverse_throughput; }},
+    {"vector_instructions", [](Price& p) -> double& { return p.counts.vector; }},
+    {"transcendental_instructions", [](Price& p) -> double& { return p.counts.transcendental; }},
+    {"sgprs", [](Price& p) -> double& { return p.sgprs; }},
+    {"spilled_registers", [](Price& p) -> double& { return p.spilled; }},
+    {"code_bytes", [](Price& p) -> double& { return p.code_bytes; }},
 };
+
+/// As it is written: whole.
+long long value(const Column& column, Price price) {
+    return std::llround(column.of(price));
+}
 
 std::string header() {
     std::string out = "method,setting,flags";
@@ -37,7 +42,7 @@ std::string header() {
 }
 
 std::string whole(double number) {
-    return std::to_string(static_cast<long long>(number));
+    return std::to_string(std::llround(number));
 }
 
 const Row* find(const std::vector<Row>& rows, const std::string& wanted) {
@@ -57,7 +62,7 @@ std::string csv(const std::vector<Row>& rows, const std::string& made_by) {
     for (const Row& row : rows) {
         out += row.method + "," + row.setting + "," + row.flags;
         for (const Column& column : columns) {
-            out += "," + whole(row.statistics.*column.value);
+            out += "," + std::to_string(value(column, row.price));
         }
         out += "," + row.loops + "\n";
     }
@@ -86,7 +91,7 @@ Table read_csv(const std::string& text, const std::string& name) {
         std::getline(fields, row.flags, ',');
         for (const Column& column : columns) {
             char comma = 0;
-            fields >> row.statistics.*column.value >> comma;
+            fields >> column.of(row.price) >> comma;
         }
         if (!fields || !std::getline(fields, row.loops)) {
             refuse("is not understood at '" + line + "'");
@@ -108,13 +113,12 @@ void print(std::ostream& out, const std::vector<Row>& rows) {
         }
         out << "\n";
     };
-    line("", {"instructions", "vector", "transcend.", "VGPRs", "code bytes", "latency", "1/throughput",
-              "all branches", "loops"});
+    line("", {"instructions", "vector", "transcend.", "VGPRs", "code bytes", "latency", "cycles", "loops"});
     for (const Row& row : rows) {
-        const Statistics& s = row.statistics;
-        line(key(row), {whole(s.instructions), whole(s.vector), whole(s.transcendental), whole(s.vgprs),
-                        whole(s.code_bytes), whole(s.latency), whole(s.inverse_throughput),
-                        whole(s.every_branch), row.loops});
+        const Price& p = row.price;
+        line(key(row),
+             {whole(p.counts.instructions), whole(p.counts.vector), whole(p.counts.transcendental),
+              whole(p.vgprs), whole(p.code_bytes), whole(p.latency), whole(p.inverse_throughput), row.loops});
     }
 }
 
@@ -129,11 +133,11 @@ std::vector<std::string> differences(const std::vector<Row>& recorded, const std
         }
         std::string changes;
         for (const Column& column : columns) {
-            const double before = old->statistics.*column.value;
-            const double now = row.statistics.*column.value;
+            const long long before = value(column, old->price);
+            const long long now = value(column, row.price);
             if (!listing_only && before != now) {
-                changes += (changes.empty() ? "" : ", ") + std::string(column.name) + " " + whole(before) +
-                           " -> " + whole(now);
+                changes += (changes.empty() ? "" : ", ") + std::string(column.name) + " " +
+                           std::to_string(before) + " -> " + std::to_string(now);
             }
         }
         if (!changes.empty()) {

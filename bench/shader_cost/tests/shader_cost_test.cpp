@@ -33,25 +33,24 @@ std::string shader(const std::string& body) {
            body + "    out_data[i] = x;\n}\n";
 }
 
-Statistics compiled(const std::string& body) {
+Compiled compiled(const std::string& body) {
     return radv->compile(compile_glsl(shader(body), "a test"));
 }
 
 Row row(const std::string& method, double instructions) {
     Row out{method, "2", "default", {}, "none"};
-    out.statistics.instructions = instructions;
+    out.price.counts.instructions = instructions;
     return out;
 }
 
 }  // namespace
 
 TEST_CASE("two square roots are two transcendental instructions more") {
-    const Statistics none = compiled("");
-    const Statistics two = compiled("x = sqrt(x); x = sqrt(x + 1.0);\n");
-    CHECK(two.transcendental - none.transcendental == 2);
-    CHECK(two.vector - none.vector == 3);  // and one addition
-    CHECK(two.instructions > none.instructions);
-    CHECK(two.every_branch == std::max(2 * two.vector, 8 * two.transcendental));
+    const Compiled none = compiled("");
+    const Compiled two = compiled("x = sqrt(x); x = sqrt(x + 1.0);\n");
+    CHECK(two.counts.transcendental - none.counts.transcendental == 2);
+    CHECK(two.counts.vector - none.counts.vector == 3);  // and one addition
+    CHECK(two.counts.instructions > none.counts.instructions);
 }
 
 TEST_CASE("a loop that is left rolled hides its passes, and is reported") {
@@ -59,10 +58,10 @@ TEST_CASE("a loop that is left rolled hides its passes, and is reported") {
         return "for (int k = 0; k < " + std::to_string(passes) +
                "; ++k) { x = exp2(x) + sqrt(x); x = x > 1.0 ? x * 0.5 : x + log2(x); }\n";
     };
-    const Statistics a = compiled(loop(100));
-    const Statistics b = compiled(loop(120));
-    CHECK(a.loops);
-    CHECK(a.instructions == b.instructions);
+    const Compiled a = compiled(loop(100));
+    const Compiled b = compiled(loop(120));
+    CHECK(a.has_loops());
+    CHECK(a.counts.instructions == b.counts.instructions);
 }
 
 TEST_CASE("measure counts every pass, however many there are") {
@@ -74,8 +73,8 @@ TEST_CASE("measure counts every pass, however many there are") {
     };
     for (const int passes : {3, 50, 300}) {  // 300 are not unrolled but counted from fewer
         CAPTURE(passes);
-        const Row measured = measure(*radv, job(passes));
-        CHECK(measured.statistics.transcendental == 2 * passes);
+        const Row measured = Pricing(*radv).measure(job(passes));
+        CHECK(measured.price.counts.transcendental == 2 * passes);
         CHECK(measured.loops == (passes == 3 ? "none" : passes == 50 ? "unrolled" : "extrapolated"));
     }
 }
@@ -86,8 +85,8 @@ TEST_CASE("loops within loops count as the product of their passes") {
                                     "; ++k) { x = sqrt(x + 1.0); for (int l = 0; l < " +
                                     std::to_string(counts.at(1)) + "; ++l) { x = exp2(x + float(l)); } }\n");
                   }};
-    const Row measured = measure(*radv, job);
-    CHECK(measured.statistics.transcendental == 40 * (1 + 30));
+    const Row measured = Pricing(*radv).measure(job);
+    CHECK(measured.price.counts.transcendental == 40 * (1 + 30));
     CHECK(measured.loops == "extrapolated");
 }
 
@@ -103,7 +102,47 @@ TEST_CASE("a loop whose body grows with the passes counts as a square") {
                                     "; ++l) { x = exp2(x + float(l)); } }\n");
                   },
                   2};
-    CHECK(measure(*radv, job).statistics.transcendental == 40 * (1 + 40));
+    CHECK(Pricing(*radv).measure(job).price.counts.transcendental == 40 * (1 + 40));
+}
+
+TEST_CASE("of loops over pieces, what a test guards counts once for each piece") {
+    const auto nodes = [](const std::vector<int>&) {
+        return shader(
+            "for (int leg = 0; leg < 2; ++leg) {\n"
+            "    for (int i = 0; i < 4; ++i) {\n"
+            "        if (x > float(leg + 3 * i)) {\n"
+            "            for (int j = 0; j < 5; ++j) { x = exp2(x + float(j + 1)); }\n"
+            "        }\n"
+            "    }\n"
+            "}\n");
+    };
+    Job job{"pieces", "", "default", {}, nodes, 1, {2, 4}, 1};
+    const Price one = Pricing(*radv).measure(job).price;
+    CHECK(one.counts.transcendental == 5);
+    job.pieces = 3;
+    const Price three = Pricing(*radv).measure(job).price;
+    CHECK(three.counts.transcendental == 15);
+    CHECK(three.counts.vector - one.counts.vector == 2 * 10);  // an addition and an exp at each node
+    CHECK(three.inverse_throughput == 8 * 15);                 // cycles of an exp on RDNA
+    job.piece_passes = {};
+    CHECK(Pricing(*radv).measure(job).price.counts.transcendental == 2 * 4 * 5);
+}
+
+TEST_CASE("an RDNA GPU takes 2 cycles for a vector instruction and 8 for a transcendental one") {
+    const Pricing pricing(*radv);
+    CHECK(pricing.rates().vector == doctest::Approx(2).epsilon(0.01));  // a few loads and waits are in it
+    CHECK(pricing.rates().transcendental == doctest::Approx(8).epsilon(0.01));
+}
+
+TEST_CASE("what is counted is what RADV counts") {
+    const Compiled loop =
+        compiled("for (int k = 0; k < 100; ++k) { if (x > 2.0) { x = exp2(x); } x = sqrt(x); }\n");
+    double sum = 0;
+    for (const Block& block : loop.blocks) {
+        sum += block.counts.instructions;
+    }
+    CHECK(loop.counts.instructions == sum);
+    CHECK(loop.reported_instructions == sum);
 }
 
 TEST_CASE("a shader that is no GLSL is refused with its name") {
