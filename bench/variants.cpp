@@ -6,8 +6,8 @@
 namespace bench {
 namespace {
 
-/// Of functions that march.
-const std::vector<int> step_counts = {16, 32, 64};
+/// Of functions that march; flags are tried at the first.
+const std::vector<int> step_counts = {16, 8, 32, 64, 128, 256, 512};
 /// Of the node method, every number that it has constants for.
 const std::vector<int> node_counts = {4, 5, 6, 8, 10, 12, 16, 24};
 

@@ -57,14 +57,14 @@ struct Baseline {
     int degree = 1;
 };
 
-/// With the settings that their authors and users give; see study/baselines.
+/// At the settings that the study measures, first the one that its author or its users give.
 const std::vector<Baseline> baselines_and_settings = {
-    {"leenman", {{16, 6}, {12, 4}, {64, 16}, {256, 64}}},
-    {"cs562", {{21}, {31}, {801}}},
-    {"hillaire", {{30}}},
-    {"schueler", {{64}}},
-    {"hdrp", {{64}, {256}}},
-    {"double_loop", {{64}}, 2},
+    {"leenman", {{16, 6}, {12, 4}, {32, 8}, {64, 16}, {256, 64}}},
+    {"cs562", {{21}, {31}, {101}, {801}}},  // samples, one more than steps
+    {"hillaire", {{30}, {15}, {60}, {240}}},
+    {"schueler", {{64}, {16}, {256}}},
+    {"hdrp", {{64}, {16}, {256}}},
+    {"double_loop", {{64}, {8}, {16}, {32}}, 2},
 };
 
 }  // namespace
