@@ -26,7 +26,7 @@ std::vector<std::string> other_values(const support::Flag& flag) {
 }  // namespace
 
 std::vector<Variant> settings(const support::Manifest& manifest, const support::Function& function) {
-    const auto takes_steps = [](const support::Member& p) { return p.type == "int"; };
+    const auto takes_steps = [](const support::Member& p) { return p.name == "steps"; };
     std::vector<Variant> out;
     if (std::any_of(function.parameters.begin(), function.parameters.end(), takes_steps)) {
         for (const int steps : step_counts) {

@@ -20,7 +20,7 @@ struct Variant {
     std::string setting;            ///< steps or nodes, "16" or "16x6"; empty where the function has none
     std::string flags = "default";  ///< or what differs: "mie=0", "ozone=none"
     std::vector<FlagValue> values;
-    std::vector<int> counts;  ///< of the function's `int` parameters, in their order
+    std::vector<int> counts;  ///< of the function's numbers of steps, in their order
 };
 
 /// A function at each number of steps or nodes, all flags at their defaults. The first is its default.

@@ -43,6 +43,10 @@ class Draw {
     bool choose(int n) {
         return std::uniform_int_distribution<int>(1, n)(random_) == 1;
     }
+    /// 0 to n - 1.
+    int below(int n) {
+        return std::uniform_int_distribution<int>(0, n - 1)(random_);
+    }
     airlight::vec3<T> color(double low, double high) {
         return {between(low, high), between(low, high), between(low, high)};
     }

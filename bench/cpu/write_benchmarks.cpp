@@ -20,61 +20,81 @@ using support::Manifest;
 using support::Member;
 using support::Struct;
 
-/// What a parameter of this name is given: C++ in which `draw` is a Draw<T> and `atmosphere` the scene's.
-/// "function.parameter" wins over "parameter".
+/// What a parameter is given, by type and name: C++ in which `draw` is a Draw<T> and `atmosphere` the
+/// scene's. "type function.parameter" wins over "type parameter".
 const std::map<std::string, std::string> inputs_by_name = {
-    {"a", "draw.direction"},
-    {"along", "(atmosphere.ground_radius + draw.altitude) * draw.mu"},
-    {"alpha", "draw.between(0, 1)"},
-    {"altitude", "draw.altitude"},
-    {"ambient_scattering", "atmosphere.rayleigh_scattering"},
-    {"b", "draw.to_sun"},
-    {"centre", "atmosphere.ozone_altitude"},
-    {"chapman.x", "draw.between(700, 6000)"},
-    {"climbing", "draw.choose(2)"},
-    {"contrast", "draw.between(0.02, 0.05)"},
-    {"cos_theta", "draw.cos_theta"},
-    {"depolarisation_ratio", "draw.between(0, 0.05)"},
-    {"direction", "draw.direction"},
-    {"distance", "draw.distance"},
-    {"droplet_diameter_um", "draw.between(5, 50)"},
-    {"exponent", "draw.between(0.5, 2)"},
-    {"exposure", "draw.between(1, 20)"},
-    {"eye", "airlight::Viewpoint<T>{draw.altitude, draw.up}"},
-    {"g", "atmosphere.mie_g"},
-    {"ground_radius", "atmosphere.ground_radius"},
-    {"half_width", "atmosphere.ozone_half_width"},
-    {"high", "atmosphere.ozone_altitude"},
-    {"k", "draw.between(-0.9, 0.9)"},
-    {"low", "atmosphere.ozone_altitude - atmosphere.ozone_half_width"},
-    {"mu", "draw.mu"},
-    {"mu_s", "draw.mu_s"},
-    {"new_units_per_old_unit", "draw.between(0.001, 1)"},
-    {"number_density", "T(2.5e25)"},
-    {"optical_depth", "draw.color(0, 2)"},
-    {"radiance", "draw.color(0, 10)"},
-    {"radius", "atmosphere.ground_radius"},
-    {"rayleigh_column", "draw.between(0, 1e4)"},
-    {"reference_wavelength", "T(5.5e-7)"},
-    {"refractivity", "draw.between(2e-4, 4e-4)"},
-    {"scale_height", "atmosphere.rayleigh_scale_height"},
-    {"scattering", "atmosphere.mie_scattering"},
-    {"shell_altitude", "atmosphere.ozone_altitude"},
-    {"sine", "glm::sqrt((T(1) - draw.mu) * (T(1) + draw.mu))"},
-    {"single_scattering_albedo", "draw.between(0.8, 1)"},
-    {"solar_irradiance", "draw.color(1, 2)"},
-    {"surface_radiance", "draw.color(0, 1)"},
-    {"to_sun", "draw.to_sun"},
-    {"up_at_origin", "draw.up"},
-    {"viewpoint_from_centre.position", "(atmosphere.ground_radius + draw.altitude) * draw.up"},
-    {"viewpoint_from_surface.position", "draw.decades(0, 5) * draw.direction"},
-    {"visibility", "draw.decades(3, 5)"},
-    {"wavelength", "draw.between(4e-7, 7e-7)"},
-    {"x", "draw.between(0, 5)"},
+    {"vec3 a", "draw.direction"},
+    {"float along", "(atmosphere.ground_radius + draw.altitude) * draw.mu"},
+    {"float alpha", "draw.between(0, 1)"},
+    {"float altitude", "draw.altitude"},
+    {"vec3 ambient_scattering", "atmosphere.rayleigh_scattering"},
+    {"vec3 b", "draw.to_sun"},
+    {"float centre", "atmosphere.ozone_altitude"},
+    {"bool climbing", "draw.choose(2)"},
+    {"float contrast", "draw.between(0.02, 0.05)"},
+    {"float cos_theta", "draw.cos_theta"},
+    {"float depolarisation_ratio", "draw.between(0, 0.05)"},
+    {"vec3 direction", "draw.direction"},
+    {"float distance", "draw.distance"},
+    {"float droplet_diameter_um", "draw.between(5, 50)"},
+    {"float exponent", "draw.between(0.5, 2)"},
+    {"float exposure", "draw.between(1, 20)"},
+    {"float extent", "draw.decades(2, 5)"},
+    {"Viewpoint eye", "airlight::Viewpoint<T>{draw.altitude, draw.up}"},
+    {"float factor", "draw.choose(2) ? T(1) : T(-1)"},
+    {"float g", "atmosphere.mie_g"},
+    {"float ground_radius", "atmosphere.ground_radius"},
+    {"float half_width", "atmosphere.ozone_half_width"},
+    {"float height", "atmosphere.rayleigh_scale_height"},
+    {"float high", "atmosphere.ozone_altitude"},
+    {"float high_radius", "atmosphere.ground_radius + draw.decades(4, 5)"},
+    {"float inverse_radius", "T(1) / (atmosphere.ground_radius + draw.altitude)"},
+    {"float inverse_root", "draw.between(0.001, 0.1)"},
+    {"float k", "draw.between(-0.9, 0.9)"},
+    {"float low", "atmosphere.ozone_altitude - atmosphere.ozone_half_width"},
+    {"float low_along", "draw.decades(2, 5)"},
+    {"float low_radius", "atmosphere.ground_radius + draw.decades(0, 4)"},
+    {"float mu", "draw.mu"},
+    {"float mu_s", "draw.mu_s"},
+    {"float new_units_per_old_unit", "draw.between(0.001, 1)"},
+    {"float number_density", "T(2.5e25)"},
+    {"vec3 optical_depth", "draw.color(0, 2)"},
+    {"float outwards", "draw.choose(2) ? T(1) : T(-1)"},
+    {"float perigee_altitude", "draw.between(0, 1) * draw.altitude"},
+    {"float perigee_radius", "atmosphere.ground_radius + draw.between(0, 1) * draw.altitude"},
+    {"vec3 viewpoint_from_centre.position", "(atmosphere.ground_radius + draw.altitude) * draw.up"},
+    {"vec3 viewpoint_from_surface.position", "draw.decades(0, 5) * draw.direction"},
+    {"float pulled", "draw.between(-5, 5)"},
+    {"vec3 radiance", "draw.color(0, 10)"},
+    {"float line_point.radius", "(atmosphere.ground_radius + draw.altitude)"},
+    {"float line_towards_sun.radius", "(atmosphere.ground_radius + draw.altitude)"},
+    {"float radius", "atmosphere.ground_radius"},
+    {"float rayleigh_column", "draw.between(0, 1e4)"},
+    {"float reference_wavelength", "T(5.5e-7)"},
+    {"float refractivity", "draw.between(2e-4, 4e-4)"},
+    {"float rise", "draw.decades(4, 5)"},
+    {"float root", "draw.between(100, 400)"},
+    {"float scale_height", "atmosphere.rayleigh_scale_height"},
+    {"vec3 scattering", "atmosphere.mie_scattering"},
+    {"float shell_altitude", "atmosphere.ozone_altitude"},
+    {"vec3 shells", "draw.color(1e5, 1e6)"},
+    {"float sine", "glm::sqrt((T(1) - draw.mu) * (T(1) + draw.mu))"},
+    {"float single_scattering_albedo", "draw.between(0.8, 1)"},
+    {"bool sinks", "draw.mu < T(0)"},
+    {"vec3 solar_irradiance", "draw.color(1, 2)"},
+    {"float sun_height", "atmosphere.ground_radius * draw.mu_s"},
+    {"vec3 surface_radiance", "draw.color(0, 1)"},
+    {"float t", "draw.decades(2, 5)"},
+    {"vec3 to_sun", "draw.to_sun"},
+    {"vec3 up_at_origin", "draw.up"},
+    {"float visibility", "draw.decades(3, 5)"},
+    {"float wavelength", "draw.between(4e-7, 7e-7)"},
+    {"float chapman.x", "draw.between(700, 6000)"},
+    {"float x", "draw.between(0, 5)"},
 };
 
 /// Parameters for which the range of their type is right: scalars and colours in [0, 1].
-const std::set<std::string> inputs_by_type = {"encoded", "linear"};
+const std::set<std::string> inputs_by_type = {"encoded", "linear", "u", "density"};
 
 /// Names of parameters that have no entry, as they are met.
 std::map<std::string, std::string> unknown;
@@ -116,10 +136,11 @@ std::string draw_value(const Manifest& manifest, const std::string& owner, const
         return "atmosphere";
     }
     if (parameter.type == "int") {
-        return "16";
+        return parameter.name == "steps" ? "16"
+                                         : "draw.below(4)";  // an index of the nodes, of which there are 4
     }
     for (const std::string& name : {owner + "." + parameter.name, parameter.name}) {
-        const auto found = inputs_by_name.find(name);
+        const auto found = inputs_by_name.find(parameter.type + " " + name);
         if (found != inputs_by_name.end()) {
             return found->second;
         }
@@ -198,7 +219,7 @@ class Scenes {
     std::map<std::string, std::string> definitions_;
 };
 
-/// The function template that times one function; its `steps` are the function's `int` parameters.
+/// The function template that times one function; `steps` is the function's parameter of that name.
 std::string timing(const Manifest& manifest, const Function& function) {
     std::string drawn;
     std::string arguments;
@@ -207,7 +228,7 @@ std::string timing(const Manifest& manifest, const Function& function) {
         arguments += arguments.empty() ? "" : ", ";
         if (parameter.type == "Atmosphere") {
             arguments += "atmosphere";
-        } else if (parameter.type == "int") {
+        } else if (parameter.name == "steps") {
             arguments += "steps";
         } else {
             drawn += (drawn.empty() ? "" : ", ") + draw_value(manifest, function.name, parameter, 0);

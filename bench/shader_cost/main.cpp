@@ -15,6 +15,7 @@
 #include "support/error.hpp"
 #include "support/files.hpp"
 #include "table.hpp"
+#include "variants.hpp"
 
 namespace shader_cost {
 namespace {
@@ -53,9 +54,14 @@ std::vector<Job> chosen_jobs(const Library& library, const Library& baselines, c
         const std::vector<Job> others = baseline_jobs(baselines);
         out.insert(out.end(), others.begin(), others.end());
     }
+    const auto shows_flags = [&](const Job& job) {  // at one setting
+        const support::Function& function = *library.manifest.function(job.method);
+        return !function.flags.empty() &&
+               job.setting == bench::settings(library.manifest, function).front().setting;
+    };
     const auto other = [&](const Job& job) {
         return (!options.method.empty() && job.method != options.method) ||
-               (options.check_flags && library.manifest.function(job.method)->flags.empty());
+               (options.check_flags && !shows_flags(job));
     };
     out.erase(std::remove_if(out.begin(), out.end(), other), out.end());
     if (out.empty()) {

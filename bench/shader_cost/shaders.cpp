@@ -2,7 +2,6 @@
 
 #include <sstream>
 
-#include "support/error.hpp"
 #include "support/glsl_source.hpp"
 #include "support/glsl_values.hpp"
 
@@ -72,11 +71,7 @@ std::string function_shader(const Library& library, const support::Function& fun
             atmosphere = true;
             argument = "scene_atmosphere";
         } else if (parameter.type == "int") {
-            if (count == counts.size()) {
-                throw support::Error("no constant was given for '" + parameter.name + "' of " +
-                                     function.name);
-            }
-            argument = std::to_string(counts[count++]);
+            argument = count < counts.size() ? std::to_string(counts[count++]) : "1";
         } else {
             argument = support::construct(manifest, parameter.type, at);
         }

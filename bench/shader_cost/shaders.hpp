@@ -28,7 +28,7 @@ struct Library {
 
 /// A compute shader in which every invocation reads its inputs from a buffer, calls `function` and writes all
 /// of its result. A hook that takes texture coordinates reads a texture. An Atmosphere comes from a uniform
-/// block, and the function's `int` parameters are the constants `counts`, in their order.
+/// block, and the function's `int` parameters are the constants `counts`, in their order, then 1.
 std::string function_shader(const Library& library, const support::Function& function,
                             const std::vector<bench::FlagValue>& flags, const std::vector<int>& counts);
 
