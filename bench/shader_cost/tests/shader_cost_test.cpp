@@ -182,6 +182,37 @@ TEST_CASE("a flag's value is written without what all its values share") {
     CHECK(bench::off_value(phase).empty());
 }
 
+TEST_CASE("a function is measured at its steps or nodes, and with each flag at each other value") {
+    support::Manifest manifest;
+    manifest.flags = {
+        {"mie", "MIE", "bool", "1", {}},
+        {"nodes", "NODES", "int", "8", {}},
+        {"ozone", "OZONE", "int", "OZONE_TENT", {"OZONE_NONE", "OZONE_TENT", "OZONE_LORENTZIAN"}}};
+    support::Function function;
+    CHECK(bench::settings(manifest, function).size() == 1);
+
+    function.parameters = {{"int", "i"}};  // an index is no number of steps
+    CHECK(bench::settings(manifest, function).front().counts.empty());
+    function.parameters = {{"float", "distance"}, {"int", "steps"}};
+    const std::vector<bench::Variant> marched = bench::settings(manifest, function);
+    CHECK(marched.front().setting == "16");
+    CHECK(marched.front().counts == std::vector<int>{16});
+
+    function.parameters = {};
+    function.flags = {"mie", "nodes", "ozone"};
+    const std::vector<bench::Variant> nodes = bench::settings(manifest, function);
+    CHECK(nodes.size() == 8);
+    CHECK(nodes.front().setting == "8");
+    CHECK(nodes.front().values.empty());  // the default needs no macro
+    std::string flags;
+    for (const bench::Variant& variant : bench::flag_variants(manifest, function, nodes.back())) {
+        CHECK(variant.setting == "24");
+        CHECK(variant.values.size() == 2);
+        flags += variant.flags + " ";
+    }
+    CHECK(flags == "mie=0 ozone=none ozone=lorentzian ");
+}
+
 int main(int argc, char** argv) {
     try {
         radv = std::make_unique<Radv>("navi21");
