@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 
+#include "../support/accuracy_page.hpp"
 #include "builtins.hpp"
 #include "compare.hpp"
 #include "report.hpp"
@@ -204,7 +205,13 @@ int run(const Options& options) {
         if (!options.function.empty()) {
             throw support::Error("--write needs every function; leave out --function");
         }
-        support::write_file(options.write, accuracy_page(results, builtins, manifest, settings, driver));
+        // The page's last section is tests/accuracy's.
+        const std::string section =
+            std::filesystem::exists(options.write)
+                ? airlight_test::float_error_section(support::read_file(options.write))
+                : std::string();
+        support::write_file(options.write, accuracy_page(results, builtins, manifest, settings, driver) +
+                                               (section.empty() ? "" : "\n" + section));
         std::cout << "wrote " << options.write.string() << "\n";
     }
     return 0;
