@@ -6,27 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "blocks.hpp"
+
 namespace shader_cost {
 
 /// This machine has no RADV that compiles for a GPU that is not there; the text says what is missing.
 class NoRadv : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
-};
-
-/// Machine instructions.
-struct Counts {
-    double instructions = 0;
-    double vector = 0;          ///< of these, those that the vector unit executes, one lane a ray
-    double transcendental = 0;  ///< of these, exp, log, 1/x, sqrt, 1/sqrt, sin, cos: a quarter of the rate
-};
-
-/// Code without a jump into or out of it.
-struct Block {
-    int loops = 0;             ///< how many loops it lies in
-    int conditions = 0;        ///< how many divergent branches it lies in
-    bool conditional = false;  ///< whether one of these lies within the innermost loop
-    Counts counts;
 };
 
 /// What Mesa's compiler says about one compute shader.

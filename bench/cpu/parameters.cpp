@@ -1,0 +1,144 @@
+#include "parameters.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace cpu_bench {
+namespace {
+
+/// What a parameter is given, by type and name: C++ in which `draw` is a Draw<T> and `atmosphere` the
+/// scene's. "type function.parameter" wins over "type parameter".
+const std::map<std::string, std::string> inputs_by_name = {
+    {"vec3 a", "draw.direction"},
+    {"float along", "(atmosphere.ground_radius + draw.altitude) * draw.mu"},
+    {"float alpha", "draw.between(0, 1)"},
+    {"float altitude", "draw.altitude"},
+    {"vec3 ambient_scattering", "atmosphere.rayleigh_scattering"},
+    {"vec3 b", "draw.to_sun"},
+    {"float centre", "atmosphere.ozone_altitude"},
+    {"bool climbing", "draw.choose(2)"},
+    {"float contrast", "draw.between(0.02, 0.05)"},
+    {"float cos_theta", "draw.cos_theta"},
+    {"float depolarisation_ratio", "draw.between(0, 0.05)"},
+    {"vec3 direction", "draw.direction"},
+    {"float distance", "draw.distance"},
+    {"float droplet_diameter_um", "draw.between(5, 50)"},
+    {"float exponent", "draw.between(0.5, 2)"},
+    {"float exposure", "draw.between(1, 20)"},
+    {"float extent", "draw.decades(2, 5)"},
+    {"Viewpoint eye", "airlight::Viewpoint<T>{draw.altitude, draw.up}"},
+    {"float factor", "draw.choose(2) ? T(1) : T(-1)"},
+    {"float g", "atmosphere.mie_g"},
+    {"float ground_radius", "atmosphere.ground_radius"},
+    {"float half_width", "atmosphere.ozone_half_width"},
+    {"float height", "atmosphere.rayleigh_scale_height"},
+    {"float high", "atmosphere.ozone_altitude"},
+    {"float high_radius", "atmosphere.ground_radius + draw.decades(4, 5)"},
+    {"float inverse_radius", "T(1) / (atmosphere.ground_radius + draw.altitude)"},
+    {"float inverse_root", "draw.between(0.001, 0.1)"},
+    {"float k", "draw.between(-0.9, 0.9)"},
+    {"float low", "atmosphere.ozone_altitude - atmosphere.ozone_half_width"},
+    {"float low_along", "draw.decades(2, 5)"},
+    {"float low_radius", "atmosphere.ground_radius + draw.decades(0, 4)"},
+    {"float mu", "draw.mu"},
+    {"float mu_s", "draw.mu_s"},
+    {"float new_units_per_old_unit", "draw.between(0.001, 1)"},
+    {"float number_density", "T(2.5e25)"},
+    {"vec3 optical_depth", "draw.color(0, 2)"},
+    {"float outwards", "draw.choose(2) ? T(1) : T(-1)"},
+    {"float perigee_altitude", "draw.between(0, 1) * draw.altitude"},
+    {"float perigee_radius", "atmosphere.ground_radius + draw.between(0, 1) * draw.altitude"},
+    {"vec3 viewpoint_from_centre.position", "(atmosphere.ground_radius + draw.altitude) * draw.up"},
+    {"vec3 viewpoint_from_surface.position", "draw.decades(0, 5) * draw.direction"},
+    {"float pulled", "draw.between(-5, 5)"},
+    {"vec3 radiance", "draw.color(0, 10)"},
+    {"float line_point.radius", "(atmosphere.ground_radius + draw.altitude)"},
+    {"float line_towards_sun.radius", "(atmosphere.ground_radius + draw.altitude)"},
+    {"float radius", "atmosphere.ground_radius"},
+    {"float rayleigh_column", "draw.between(0, 1e4)"},
+    {"float reference_wavelength", "T(5.5e-7)"},
+    {"float refractivity", "draw.between(2e-4, 4e-4)"},
+    {"float rise", "draw.decades(4, 5)"},
+    {"float root", "draw.between(100, 400)"},
+    {"float scale_height", "atmosphere.rayleigh_scale_height"},
+    {"vec3 scattering", "atmosphere.mie_scattering"},
+    {"float shell_altitude", "atmosphere.ozone_altitude"},
+    {"vec3 shells", "draw.color(1e5, 1e6)"},
+    {"float sine", "glm::sqrt((T(1) - draw.mu) * (T(1) + draw.mu))"},
+    {"float single_scattering_albedo", "draw.between(0.8, 1)"},
+    {"bool sinks", "draw.mu < T(0)"},
+    {"vec3 solar_irradiance", "draw.color(1, 2)"},
+    {"float sun_height", "atmosphere.ground_radius * draw.mu_s"},
+    {"vec3 surface_radiance", "draw.color(0, 1)"},
+    {"float t", "draw.decades(2, 5)"},
+    {"vec3 to_sun", "draw.to_sun"},
+    {"vec3 up_at_origin", "draw.up"},
+    {"float visibility", "draw.decades(3, 5)"},
+    {"float wavelength", "draw.between(4e-7, 7e-7)"},
+    {"float chapman.x", "draw.between(700, 6000)"},
+    {"float x", "draw.between(0, 5)"},
+};
+
+/// Parameters for which the range of their type is right: scalars and colours in [0, 1].
+const std::set<std::string> inputs_by_type = {"encoded", "linear", "u", "density"};
+
+/// Structures come from functions that take structures; from here on they are put together member by member.
+constexpr int deepest = 3;
+
+}  // namespace
+
+std::string template_arguments(const support::Function& function) {
+    return function.flags.empty() ? "<T>" : "<T, Scene>";
+}
+
+std::string Parameters::value(const std::string& function, const support::Member& parameter, int depth) {
+    const std::string& type = parameter.type;
+    if (type == "Atmosphere") {
+        return "atmosphere";
+    }
+    if (type == "int") {
+        return parameter.name == "steps" ? "16" : "draw.below(4)";  // an index of nodes, of which there are 4
+    }
+    for (const std::string& name : {function + "." + parameter.name, parameter.name}) {
+        const auto found = inputs_by_name.find(type + " " + name);
+        if (found != inputs_by_name.end()) {
+            return found->second;
+        }
+    }
+    if (type != "float" && type != "bool" && type.compare(0, 3, "vec") != 0) {
+        return structure(function, parameter, depth);
+    }
+    if (inputs_by_type.count(parameter.name) == 0) {
+        unknown_[parameter.name] = function;
+    }
+    if (type == "float") {
+        return "draw.between(0, 1)";
+    }
+    if (type == "bool") {
+        return "draw.choose(2)";
+    }
+    return type == "vec3" ? "draw.color(0, 1)" : "airlight::" + type + "<T>(draw.between(0, 1))";
+}
+
+/// As the library makes it: the result of the first function that returns one and takes none.
+std::string Parameters::structure(const std::string& function, const support::Member& parameter, int depth) {
+    for (const support::Function& maker : manifest_.functions) {
+        const auto is_it = [&](const support::Member& p) { return p.type == parameter.type; };
+        if (depth > deepest || maker.result != parameter.type ||
+            std::any_of(maker.parameters.begin(), maker.parameters.end(), is_it)) {
+            continue;
+        }
+        std::string arguments;
+        for (const support::Member& p : maker.parameters) {
+            arguments += (arguments.empty() ? "" : ", ") + value(maker.name, p, depth + 1);
+        }
+        return "airlight::" + maker.name + template_arguments(maker) + "(" + arguments + ")";
+    }
+    std::string members;
+    for (const support::Member& member : manifest_.struct_named(parameter.type).members) {
+        members += (members.empty() ? "" : ", ") + value(function, member, depth + 1);
+    }
+    return "airlight::" + parameter.type + "<T>{" + members + "}";
+}
+
+}  // namespace cpu_bench
