@@ -105,6 +105,10 @@ SplitPath<T> split(const airlight::Atmosphere<T>& air, const airlight::AirPath<T
     parts.back.begin_altitude = path.end_altitude;
     parts.back.end_altitude = path.begin_altitude;
     parts.back.along = -(path.along + path.extent);
+    // No point of a path lies below its closest approach; where it is cut, rounding may say so.
+    parts.first.perigee_altitude = std::fmin(path.perigee_altitude, parts.first.end_altitude);
+    parts.second.perigee_altitude = std::fmin(path.perigee_altitude, parts.second.begin_altitude);
+    parts.back.perigee_altitude = std::fmin(path.perigee_altitude, path.end_altitude);
     return parts;
 }
 
@@ -160,10 +164,11 @@ Verdict column_promises(const airlight::Atmosphere<T>& air, T altitude, T mu, T 
                         exponential_column_bound(air, path, scale_height, all, u));
         }
     }
-    // A Lorentz curve is cut 8 half widths below its centre.
-    const bool curve_is_whole =
-        Scene::ozone != ozone_lorentzian || air.ozone_altitude <= T(8) * air.ozone_half_width;
-    if (air.ozone_half_width > T(0) && curve_is_whole && low > T(-0.9L) * air.ground_radius) {
+    // A Lorentz curve is cut 8 half widths below its centre, and bends sharply at the ground.
+    const bool has_laws = Scene::ozone == ozone_lorentzian
+                              ? air.ozone_altitude <= T(8) * air.ozone_half_width && low >= T(0)
+                              : low > T(-0.9L) * air.ground_radius;
+    if (air.ozone_half_width > T(0) && has_laws) {
         const T all = ozone_column<T, Scene>(air, path);
         column_laws(verdict, "ozone_column grows with distance", "ozone_columns add up",
                     "ozone_column is the same from either end", all, ozone_column<T, Scene>(air, parts.first),

@@ -79,6 +79,27 @@ airlight::Atmosphere<T> any_atmosphere(Draw& draw) {
     air.ozone_half_width = T(zero_or_between(draw, 0.1, 1e6));
     air.ozone_absorption = coefficient(draw, air.ozone_half_width);
     air.ground_albedo = airlight::vec3<T>(T(draw.unit()));
+    // Parameters that are equal: the layer's lower edge at the planet's centre, its parts at the top of the
+    // air.
+    switch (draw.below(16)) {
+        case 0:
+            air.ozone_half_width = air.ground_radius + air.ozone_altitude;
+            break;
+        case 1:
+            air.ozone_altitude = air.top_altitude;
+            break;
+        case 2:
+            air.ozone_half_width = air.ozone_altitude;
+            break;
+        case 3:
+            air.ozone_half_width = std::fmax(air.top_altitude - air.ozone_altitude, T(0));
+            break;
+        case 4:
+            air.mie_scale_height = air.rayleigh_scale_height;
+            break;
+        default:
+            break;
+    }
     return air;
 }
 
@@ -87,7 +108,7 @@ template <typename T, typename Draw>
 airlight::Viewpoint<T> any_viewpoint(Draw& draw, const airlight::Atmosphere<T>& air) {
     const airlight::vec3<T> up =
         draw.below(4) == 0 ? airlight::vec3<T>(T(0), T(0), T(1)) : draw.template direction<T>();
-    switch (draw.below(8)) {
+    switch (draw.below(9)) {
         case 0:
             return airlight::Viewpoint<T>{T(0), up};
         case 1:
@@ -100,6 +121,10 @@ airlight::Viewpoint<T> any_viewpoint(Draw& draw, const airlight::Atmosphere<T>& 
             return airlight::Viewpoint<T>{air.top_altitude * T(draw.uniform(0.0, 1.5)), up};
         case 5:
             return airlight::Viewpoint<T>{air.rayleigh_scale_height * T(draw.uniform(0.0, 5.0)), up};
+        case 6: {
+            const T edge = air.ozone_altitude + T(draw.below(3) - 1) * air.ozone_half_width;
+            return airlight::Viewpoint<T>{std::fmax(edge, -air.ground_radius), up};
+        }
         default:
             return airlight::Viewpoint<T>{T(end_or_between(draw, 1e-6, 1e12)), up};
     }
