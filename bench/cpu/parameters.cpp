@@ -19,6 +19,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"bool climbing", "draw.choose(2)"},
     {"float contrast", "draw.between(0.02, 0.05)"},
     {"float cos_theta", "draw.cos_theta"},
+    {"vec3 depth", "draw.color(0, 2)"},
     {"float depolarisation_ratio", "draw.between(0, 0.05)"},
     {"vec3 direction", "draw.direction"},
     {"float distance", "draw.distance"},
@@ -80,7 +81,7 @@ const std::map<std::string, std::string> inputs_by_name = {
 };
 
 /// Parameters for which the range of their type is right: scalars and colours in [0, 1].
-const std::set<std::string> inputs_by_type = {"encoded", "linear", "u", "density"};
+const std::set<std::string> inputs_by_type = {"density", "encoded", "linear", "transmittance", "u"};
 
 /// Structures come from functions that take structures; from here on they are put together member by member.
 constexpr int deepest = 3;
