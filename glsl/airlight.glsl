@@ -13,16 +13,6 @@
 // Circumference of a circle over its diameter [1].
 const float airlight_pi = 3.14159265358979323846264338327950288;
 
-// Where the four-point rule of Gauss and Legendre takes its samples on [0, 1] [1].
-const float airlight_gauss_4_positions[4] = float[4](
-    0.0694318442029737123880267555535953, 0.330009478207571867598667120448378,
-    0.669990521792428132401332879551622, 0.930568155797026287611973244446405);
-
-// What each of those samples counts [1]; the sum is 1.
-const float airlight_gauss_4_weights[4] = float[4](
-    0.173927422568726928686531974610999, 0.326072577431273071313468025389001,
-    0.326072577431273071313468025389001, 0.173927422568726928686531974610999);
-
 // The distance that says "the view ray ends on no surface".
 //
 // Units:    result in the caller's length unit [L].
@@ -72,6 +62,308 @@ float airlight_no_surface() {
 #ifndef AIRLIGHT_PLANET_SHADOW
 #define AIRLIGHT_PLANET_SHADOW 1
 #endif
+// per lit piece of a view ray: 4, 5, 6, 8, 10, 12, 16 or 24
+#ifndef AIRLIGHT_NODES
+#define AIRLIGHT_NODES 8
+#endif
+
+// ---- gauss ------------------------------------------------------------------
+
+// Where the rule of 4 points takes its samples on [0, 1] [1].
+const float airlight_gauss_4_positions[4] = float[4](
+    0.0694318442029737123880267555535952, 0.330009478207571867598667120448378,
+    0.669990521792428132401332879551622, 0.930568155797026287611973244446405);
+
+// What each of those samples counts [1]; the sum is 1.
+const float airlight_gauss_4_weights[4] = float[4](
+    0.173927422568726928686531974611, 0.326072577431273071313468025389,
+    0.326072577431273071313468025389, 0.173927422568726928686531974611);
+
+// Where the rule of 5 points takes its samples on [0, 1] [1].
+const float airlight_gauss_5_positions[5] = float[5](
+    0.0469100770306680036011865608503035, 0.230765344947158454481842789649896, 0.5,
+    0.769234655052841545518157210350104, 0.953089922969331996398813439149696);
+
+// What each of those samples counts [1]; the sum is 1.
+const float airlight_gauss_5_weights[5] = float[5](
+    0.118463442528094543757132020359959, 0.239314335249683234020645757417819,
+    0.284444444444444444444444444444444, 0.239314335249683234020645757417819,
+    0.118463442528094543757132020359959);
+
+// Where the rule of 6 points takes its samples on [0, 1] [1].
+const float airlight_gauss_6_positions[6] = float[6](
+    0.0337652428984239860938492227530027, 0.169395306766867743169300202490047,
+    0.380690406958401545684749139159644,  0.619309593041598454315250860840356,
+    0.830604693233132256830699797509953,  0.966234757101576013906150777246997);
+
+// What each of those samples counts [1]; the sum is 1.
+const float airlight_gauss_6_weights[6] = float[6](
+    0.0856622461895851725201480710863664, 0.180380786524069303784916756918858,
+    0.233956967286345523694935171994775,  0.233956967286345523694935171994775,
+    0.180380786524069303784916756918858,  0.0856622461895851725201480710863664);
+
+// Where the rule of 8 points takes its samples on [0, 1] [1].
+const float airlight_gauss_8_positions[8] = float[8](
+    0.0198550717512318841582195657152635, 0.101666761293186630204223031762085,
+    0.237233795041835507091130475405377,  0.408282678752175097530261928819908,
+    0.591717321247824902469738071180092,  0.762766204958164492908869524594623,
+    0.898333238706813369795776968237915,  0.980144928248768115841780434284736);
+
+// What each of those samples counts [1]; the sum is 1.
+const float airlight_gauss_8_weights[8] = float[8](
+    0.0506142681451881295762656771549811, 0.11119051722668723527217799721312,
+    0.156853322938943643668981100993301,  0.181341891689180991482575224638598,
+    0.181341891689180991482575224638598,  0.156853322938943643668981100993301,
+    0.11119051722668723527217799721312,   0.0506142681451881295762656771549811);
+
+// Where the rule of 10 points takes its samples on [0, 1] [1].
+const float airlight_gauss_10_positions[10] = float[10](
+    0.013046735741414139961017993957774, 0.0674683166555077446339516557882535,
+    0.160295215850487796882836317442563, 0.283302302935376404600367028417108,
+    0.42556283050918439455758699943514,  0.57443716949081560544241300056486,
+    0.716697697064623595399632971582892, 0.839704784149512203117163682557437,
+    0.932531683344492255366048344211747, 0.986953264258585860038982006042226);
+
+// What each of those samples counts [1]; the sum is 1.
+const float airlight_gauss_10_weights[10] = float[10](
+    0.0333356721543440687967844049466659, 0.0747256745752902965728881698288487,
+    0.109543181257991021997767467114082,  0.134633359654998177545613460784735,
+    0.147762112357376435086946497325669,  0.147762112357376435086946497325669,
+    0.134633359654998177545613460784735,  0.109543181257991021997767467114082,
+    0.0747256745752902965728881698288487, 0.0333356721543440687967844049466659);
+
+// Where the rule of 12 points takes its samples on [0, 1] [1].
+const float airlight_gauss_12_positions[12] = float[12](
+    0.00921968287664037465472545492535959, 0.0479413718147625716607670669404519,
+    0.115048662902847656481553083393591,   0.206341022856691276351648790529733,
+    0.316084250500909903123654231678141,   0.437383295744265542263779315268073,
+    0.562616704255734457736220684731927,   0.683915749499090096876345768321859,
+    0.793658977143308723648351209470267,   0.884951337097152343518446916606409,
+    0.952058628185237428339232933059548,   0.99078031712335962534527454507464);
+
+// What each of those samples counts [1]; the sum is 1.
+const float airlight_gauss_12_weights[12] = float[12](
+    0.0235876681932559135973079807425085, 0.0534696629976592154801273590969981,
+    0.0800391642716731131673262647716795, 0.101583713361532960874532227904899,
+    0.116746268269177404380424949462439,  0.124573522906701392500281218021476,
+    0.124573522906701392500281218021476,  0.116746268269177404380424949462439,
+    0.101583713361532960874532227904899,  0.0800391642716731131673262647716795,
+    0.0534696629976592154801273590969981, 0.0235876681932559135973079807425085);
+
+// Where the rule of 16 points takes its samples on [0, 1] [1].
+const float airlight_gauss_16_positions[16] = float[16](
+    0.00529953250417503370192291327483369, 0.0277124884633837119610057922326958,
+    0.0671843988060841280597660511438034,  0.122297795822498483052449402576279,
+    0.191061877798678125776664117975604,   0.270991611171386306828790278508211,
+    0.359198224610370543384769749269752,   0.452493745081181279907340332287521,
+    0.547506254918818720092659667712479,   0.640801775389629456615230250730248,
+    0.729008388828613693171209721491789,   0.808938122201321874223335882024396,
+    0.877702204177501516947550597423721,   0.932815601193915871940233948856197,
+    0.972287511536616288038994207767304,   0.994700467495824966298077086725166);
+
+// What each of those samples counts [1]; the sum is 1.
+const float airlight_gauss_16_weights[16] = float[16](
+    0.0135762297058770474258902862280091, 0.0311267619693239464314219184971888,
+    0.0475792558412463924049625538011231, 0.0623144856277669360262381410960082,
+    0.0747979944082883660407508652737393, 0.08457825969750126909465603951518,
+    0.09130170752246179443338183398461,   0.0947253052275342481426983616041416,
+    0.0947253052275342481426983616041416, 0.09130170752246179443338183398461,
+    0.08457825969750126909465603951518,   0.0747979944082883660407508652737393,
+    0.0623144856277669360262381410960082, 0.0475792558412463924049625538011231,
+    0.0311267619693239464314219184971888, 0.0135762297058770474258902862280091);
+
+// Where the rule of 24 points takes its samples on [0, 1] [1].
+const float airlight_gauss_24_positions[24] = float[24](
+    0.00240639000148931991000129514963159, 0.0126357220143452509008040034959155,
+    0.0308627239986336207381754991456393,  0.0567922364977994828934228290089016,
+    0.0899990070130485390230250636651274,  0.129937904210722817878085948450011,
+    0.175953174031512215373752106544626,   0.227289264305580232170812191390814,
+    0.283103246186977430756457884043325,   0.342478660151918312806603354340095,
+    0.404440566263191845420680089621465,   0.467971553568697186957478458687627,
+    0.532028446431302813042521541312373,   0.595559433736808154579319910378535,
+    0.657521339848081687193396645659905,   0.716896753813022569243542115956675,
+    0.772710735694419767829187808609186,   0.824046825968487784626247893455374,
+    0.870062095789277182121914051549989,   0.910000992986951460976974936334873,
+    0.943207763502200517106577170991098,   0.969137276001366379261824500854361,
+    0.987364277985654749099195996504085,   0.997593609998510680089998704850368);
+
+// What each of those samples counts [1]; the sum is 1.
+const float airlight_gauss_24_weights[24] = float[24](
+    0.00617061489999359977340283353501865, 0.0142656943144668315906539079759391,
+    0.0221387194087099030843013741056691,  0.0296492924577183903731838792500543,
+    0.0366732407055401528670168076265583,  0.0430950807659766379585926014918713,
+    0.0488093260520569441349403322321236,  0.0537221350579828173912886712233031,
+    0.0577528340268628006766722419533918,  0.0608352364639016956022315767381312,
+    0.0629187281734141480606876912555918,  0.0639690976733760784870280826123477,
+    0.0639690976733760784870280826123477,  0.0629187281734141480606876912555918,
+    0.0608352364639016956022315767381312,  0.0577528340268628006766722419533918,
+    0.0537221350579828173912886712233031,  0.0488093260520569441349403322321236,
+    0.0430950807659766379585926014918713,  0.0366732407055401528670168076265583,
+    0.0296492924577183903731838792500543,  0.0221387194087099030843013741056691,
+    0.0142656943144668315906539079759391,  0.00617061489999359977340283353501865);
+
+// Where the rule of Gauss and Legendre with Scene::nodes points takes its sample i on [0, 1].
+//
+// Units:    result [1].
+// Domain:   i from 0 to Scene::nodes - 1; ascending with i.
+// Accuracy: 0.5 ulp for 4, 5, 6, 8, 10, 12, 16 and 24 points.
+// Errors:   other counts get the midpoint rule, which converges far more slowly; i outside the domain is
+//           outside the table.
+// Source:   roots of the Legendre polynomials to 60 digits, tests/data/gauss_rules.py.
+float airlight_gauss_position(int i) {
+#if AIRLIGHT_NODES == 4
+    return airlight_gauss_4_positions[i];
+#elif AIRLIGHT_NODES == 5
+    return airlight_gauss_5_positions[i];
+#elif AIRLIGHT_NODES == 6
+    return airlight_gauss_6_positions[i];
+#elif AIRLIGHT_NODES == 8
+    return airlight_gauss_8_positions[i];
+#elif AIRLIGHT_NODES == 10
+    return airlight_gauss_10_positions[i];
+#elif AIRLIGHT_NODES == 12
+    return airlight_gauss_12_positions[i];
+#elif AIRLIGHT_NODES == 16
+    return airlight_gauss_16_positions[i];
+#elif AIRLIGHT_NODES == 24
+    return airlight_gauss_24_positions[i];
+#else
+    return (float(i) + 0.5) / float(AIRLIGHT_NODES);
+#endif
+}
+
+// What the sample i of gauss_position counts; all samples together count 1.
+//
+// Units:    result [1].
+// Domain:   that of gauss_position.
+// Accuracy: that of gauss_position.
+// Errors:   that of gauss_position.
+// Source:   that of gauss_position.
+float airlight_gauss_weight(int i) {
+#if AIRLIGHT_NODES == 4
+    return airlight_gauss_4_weights[i];
+#elif AIRLIGHT_NODES == 5
+    return airlight_gauss_5_weights[i];
+#elif AIRLIGHT_NODES == 6
+    return airlight_gauss_6_weights[i];
+#elif AIRLIGHT_NODES == 8
+    return airlight_gauss_8_weights[i];
+#elif AIRLIGHT_NODES == 10
+    return airlight_gauss_10_weights[i];
+#elif AIRLIGHT_NODES == 12
+    return airlight_gauss_12_weights[i];
+#elif AIRLIGHT_NODES == 16
+    return airlight_gauss_16_weights[i];
+#elif AIRLIGHT_NODES == 24
+    return airlight_gauss_24_weights[i];
+#else
+    return 1.0 / float(AIRLIGHT_NODES);
+#endif
+}
+
+// ---- node_map ---------------------------------------------------------------
+
+// Numbers that shape node_map, fitted for a count of nodes [1].
+struct airlight_NodeFit {
+    float evenness;  // how far from the closest approach the altitude starts to be linear in v
+    float heights;   // how many heights of the air the nodes spread over
+    float pull;      // how strongly an optical depth draws the nodes to the side where the light is
+    float sun;       // weight of the sun's optical depth in that
+    float view;      // weight of the view's optical depth in that
+};
+
+// The fit for the scene's count of nodes.
+//
+// Units:    result [1].
+// Domain:   none, it takes no argument.
+// Accuracy: three digits; the error of single_scattering changes little around the best values.
+// Errors:   none.
+// Source:   fitted to views of six atmospheres, study/fit_nodes.
+airlight_NodeFit airlight_node_fit() {
+#if AIRLIGHT_NODES < 5
+    return airlight_NodeFit(0.532, 1.797, 0.3122, 0.468, 0.933);
+#elif AIRLIGHT_NODES < 6
+    return airlight_NodeFit(0.44, 1.067, 0.1556, 0.9, 0.928);
+#elif AIRLIGHT_NODES < 7
+    return airlight_NodeFit(0.508, 1.341, 0.2887, 0.698, 0.834);
+#elif AIRLIGHT_NODES < 9
+    return airlight_NodeFit(0.744, 2.705, 0.0531, 0.651, 0.849);
+#elif AIRLIGHT_NODES < 11
+    return airlight_NodeFit(0.705, 2.377, 0.0227, 1.719, 2.053);
+#elif AIRLIGHT_NODES < 13
+    return airlight_NodeFit(0.853, 3.739, 0.0879, 0.223, 2.348);
+#elif AIRLIGHT_NODES < 17
+    return airlight_NodeFit(0.773, 2.018, 0.1269, 0.44, 1.479);
+#else
+    return airlight_NodeFit(0.896, 4.948, 0.1336, 0.366, 1.242);
+#endif
+}
+
+// How the nodes of one piece of a ray spread between its lowest and its highest point. The piece lies on
+// one side of the closest approach, so it climbs from the one to the other.
+struct airlight_NodeMap {
+    float low_radius;  // [L] of the lowest point
+    float low_along;   // [L] of the lowest point, from the closest approach
+    float scale;       // [L] of altitude per unit of the map
+    float linear;      // [1] share of the altitude that grows with v, the rest with v^2
+    float bend;        // [1] in [0, 1), how much denser the nodes are at the low end
+    float pull;        // [1] greater than 1 draws the nodes to the high end
+};
+
+// The map for one piece.
+//
+//     height over the low end = scale v (linear + (1 - linear) v) / (1 - bend v),   v = pull u / (1 - u +
+//     pull u)
+//
+// Near the closest approach altitude grows with the square of the distance, elsewhere linearly; the
+// density falls by e per height; light is lost towards the sun and towards the eye. The map gives
+// each its due with fractions alone, so no piece is too short or too thick for it.
+//
+// Units:    low_radius, low_along, high_radius, rise and height [L]; pulled [1], the optical depth
+//           that draws nodes upwards, negative for downwards.
+// Domain:   low_along >= 0; rise > 0, the altitude of the high end over the low one; height > 0.
+// Accuracy: none, every map is a change of variable and exact.
+// Errors:   none.
+// Source:   Gauss-Legendre quadrature after a change of variable; docs/theory/nodes.md.
+airlight_NodeMap airlight_node_map(airlight_NodeFit fit, float low_radius, float low_along, float high_radius,
+                                   float rise, float height, float pulled) {
+    float heights = rise / height;
+    float start = low_along / sqrt(height * (low_radius + high_radius));
+    float linear = start / (start + fit.evenness * sqrt(heights / (1.0 + heights)));
+    float bend = heights / (heights + fit.heights);
+    float pull = (1.0 + fit.pull * max(pulled, 0.0)) / (1.0 + fit.pull * max(-pulled, 0.0));
+    float scale = rise * fit.heights / (heights + fit.heights);
+    return airlight_NodeMap(low_radius, low_along, scale, linear, bend, pull);
+}
+
+// One sample of a piece.
+struct airlight_Node {
+    float rise;     // [L] altitude over the piece's low end
+    float along;    // [L] distance from the closest approach
+    float way;      // [L] from the low end along the ray
+    float stretch;  // [L] length of ray per unit of u
+};
+
+// The sample at u of a piece.
+//
+// Units:    u [1].
+// Domain:   u in (0, 1), 0 at the low end.
+// Accuracy: 20 roundoffs.
+// Errors:   none.
+// Source:   node_map, and its exact derivative.
+airlight_Node airlight_node_at(airlight_NodeMap map, float u) {
+    float v_share = 1.0 / (1.0 - u + map.pull * u);
+    float v = map.pull * u * v_share;
+    float rise_share = 1.0 / (1.0 - map.bend * v);
+    float curved = (1.0 - map.linear) * v;
+    float slope = map.linear + curved;
+    float rise = map.scale * v * slope * rise_share;
+    float rise_per_v = map.scale * rise_share * (slope + curved + map.bend * v * slope * rise_share);
+    float square = rise * (2.0 * map.low_radius + rise);
+    float along = sqrt(map.low_along * map.low_along + square);
+    return airlight_Node(rise, along, square / (along + map.low_along),
+                         (map.low_radius + rise) / along * rise_per_v * (map.pull * v_share * v_share));
+}
 
 // ---- numeric ----------------------------------------------------------------
 
@@ -828,12 +1120,14 @@ struct airlight_ViewPath {
 // The stretch of a view ray inside the air, measured from where it starts: at the eye, or where
 // the ray enters the air. Distances from there keep digits that distances from a far eye lose.
 struct airlight_AirRay {
-    bool in_air;          // false when no part of the ray is inside the air
-    bool reaches_ground;  // true when the ground sphere stops the ray
-    float begin;          // [L] from the eye to the start of the stretch
-    float extent;         // [L] length of the stretch
-    float altitude;       // [L] of its start, in [0, top_altitude]
-    float along;          // [L] its start's position along the ray, from the closest approach to the centre
+    bool in_air;           // false when no part of the ray is inside the air
+    bool reaches_ground;   // true when the ground sphere stops the ray
+    float begin;           // [L] from the eye to the start of the stretch
+    float extent;          // [L] length of the stretch
+    float altitude;        // [L] of its start, in [0, top_altitude]
+    float along;           // [L] its start's position along the ray, from the closest approach to the centre
+    float perigee_radius;  // [L] of the line's closest approach to the centre, wherever on the line it is
+    float perigee_altitude;  // [L] the same, above the ground sphere
 };
 
 // Altitude after a distance along a ray that starts at `altitude`.
@@ -886,7 +1180,7 @@ airlight_AirRay airlight_air_ray(airlight_Atmosphere atmosphere, airlight_Viewpo
     bool outside = eye_altitude > top;
     bool in_front = half_chord > 0.0 && eye_along < 0.0;
     if (outside && !in_front) {
-        return airlight_AirRay(false, false, 0.0, 0.0, 0.0, 0.0);
+        return airlight_AirRay(false, false, 0.0, 0.0, 0.0, 0.0, perigee_radius, -perigee_depth);
     }
     float begin = outside ? above_top / (half_chord - eye_along) : 0.0;
     float altitude = outside ? top : eye_altitude;
@@ -901,8 +1195,10 @@ airlight_AirRay airlight_air_ray(airlight_Atmosphere atmosphere, airlight_Viewpo
         meets_ground ? ground_product / (airlight_safe_sqrt(ground_discriminant) - along) : exit_length;
     float surface_length = distance - begin;
     float length = max(min(min(exit_length, ground_length), surface_length), 0.0);
-    return airlight_AirRay(length > 0.0, meets_ground && ground_length <= surface_length, begin, length,
-                           altitude, along);
+    return airlight_AirRay(length > 0.0,  meets_ground && ground_length <= surface_length,
+                           begin,          length,
+                           altitude,       along,
+                           perigee_radius, -perigee_depth);
 }
 
 // Where a view ray is inside the air, and whether the ground sphere ends it.
@@ -931,6 +1227,18 @@ struct airlight_Column {
     float mie;       // [L] of aerosol, 0 where the scene has none
     float ozone;     // [L] of the absorbing layer, 0 where the scene has none
 };
+
+// One amount of air plus a multiple of another.
+//
+// Units:    columns [L]; factor [1]; result [L].
+// Domain:   every finite value.
+// Accuracy: 2 roundoffs of the two terms.
+// Errors:   none.
+// Source:   none.
+airlight_Column airlight_column_sum(airlight_Column a, float factor, airlight_Column b) {
+    return airlight_Column(a.rayleigh + factor * b.rayleigh, a.mie + factor * b.mie,
+                           a.ozone + factor * b.ozone);
+}
 
 // The relative density [1] of each substance at one altitude.
 struct airlight_Density {
@@ -1216,6 +1524,448 @@ airlight_Column airlight_column_marched(airlight_Atmosphere atmosphere, float al
     return airlight_Column(sum.rayleigh * step_length, sum.mie * step_length, sum.ozone * step_length);
 }
 
+// ---- planet_shadow ----------------------------------------------------------
+
+// The sun as a straight line through the air sees it.
+struct airlight_SunOverLine {
+    float cos_theta;       // [1] between the line and the direction to the sun
+    float sin2_theta;      // [1] square of the sine of the same angle
+    float perigee_height;  // [L] of the line's closest approach, from the centre towards the sun
+};
+
+// The sun over a view ray.
+//
+// The height over the terminator's plane at a distance s from the closest approach is
+// perigee_height + s cos_theta. Both sines come from cross products, which keep digits for far eyes
+// and for a sun straight ahead.
+//
+// Units:    ground_radius [L]; direction and to_sun unit vectors.
+// Domain:   every viewpoint.
+// Accuracy: 4 roundoffs, of the eye's radius for perigee_height.
+// Errors:   none; an eye below the ground counts as standing on it.
+// Source:   docs/theory/altitude.md.
+airlight_SunOverLine airlight_sun_over_line(float ground_radius, airlight_Viewpoint eye, vec3 direction,
+                                            vec3 to_sun) {
+    vec3 across = cross(direction, airlight_cross_of_unit_vectors(eye.up, direction));
+    vec3 between = airlight_cross_of_unit_vectors(direction, to_sun);
+    return airlight_SunOverLine(airlight_dot_product(direction, to_sun),
+                                airlight_dot_product(between, between),
+                                (ground_radius + max(eye.altitude, 0.0)) * airlight_dot_product(across,
+                                                                                                to_sun));
+}
+
+// A stretch of a line, by distances from its closest approach to the centre.
+struct airlight_LineSpan {
+    float begin;  // [L]
+    float end;    // [L], equal to begin where the stretch is empty
+};
+
+// The stretch of a line on which the sun's light has come below a shell around the planet: the
+// inside of the shell's shadow, a half cylinder. For altitude 0 it is the shadow of the planet.
+//
+//     |x|^2 - (x . s)^2 < (R + shell_altitude)^2   and   x . s < 0
+//
+// Units:    ground_radius, perigee_altitude and shell_altitude [L].
+// Domain:   ground_radius > 0.
+// Accuracy: the exact answer for inputs moved by 8 roundoffs.
+// Errors:   none; no shadow gives an empty stretch at 0.
+// Source:   roots without cancellation as in intersect_ray_sphere.
+airlight_LineSpan airlight_shadow_span(float ground_radius, float perigee_altitude, airlight_SunOverLine sun,
+                                       float shell_altitude) {
+    float half_linear = -sun.perigee_height * sun.cos_theta;
+    float constant =
+        (perigee_altitude - shell_altitude) * (2.0 * ground_radius + perigee_altitude + shell_altitude) -
+        sun.perigee_height * sun.perigee_height;
+    if (sun.sin2_theta <= 0.0) {
+        // Along the sunlight: inside from the terminator's plane on, for ever, or never.
+        float reach = constant < 0.0 ? airlight_no_surface() : 0.0;
+        return airlight_LineSpan(sun.cos_theta < 0.0 ? 0.0 : -reach, sun.cos_theta < 0.0 ? reach : 0.0);
+    }
+    float discriminant = half_linear * half_linear - sun.sin2_theta * constant;
+    if (discriminant <= 0.0) {
+        return airlight_LineSpan(0.0, 0.0);
+    }
+    float root =
+        half_linear > 0.0 ? -half_linear - sqrt(discriminant) : -half_linear + sqrt(discriminant);
+    float other = root != 0.0 ? constant / root : 0.0;
+    float one = root / sun.sin2_theta;
+    float first = min(one, other);
+    float last = max(one, other);
+
+    // Only behind the terminator's plane, which the line crosses at most once.
+    float crossing = sun.cos_theta != 0.0 ? -sun.perigee_height / sun.cos_theta : 0.0;
+    bool sunny = sun.cos_theta == 0.0 && sun.perigee_height >= 0.0;
+    float begin = sun.cos_theta < 0.0 ? max(first, crossing) : first;
+    float end = sun.cos_theta > 0.0 ? min(last, crossing) : last;
+    bool empty = sunny || begin >= end;
+    return airlight_LineSpan(empty ? 0.0 : begin, empty ? 0.0 : end);
+}
+
+// ---- outward_column ---------------------------------------------------------
+
+// The thinnest layer that columns are formed for, over the radius of the top of the air [1]; a
+// thinner one, 6 mm on Earth, counts as that.
+const float airlight_thinnest_layer = 1e-9;
+
+// The layers of an atmosphere as columns along lines need them: what depends on no line and no point.
+struct airlight_Layers {
+    float rayleigh_height;   // [L] scale height of the molecules
+    float rayleigh_inverse;  // [1/L] one over it
+    float rayleigh_root;     // [L^-0.5] one over its root
+    float mie_height;        // [L] scale height of the aerosol
+    float mie_inverse;       // [1/L] one over it
+    float mie_root;          // [L^-0.5] one over its root
+    float top_radius;        // [L] where the air ends
+    float rayleigh_above;  // [L^2] molecules that a vertical line would meet above the top, times top_radius
+    float mie_above;       // [L^2] aerosol, the same
+    vec3 ozone_shells;     // [L] altitudes of a tent's low end, centre and high end
+    vec3 ozone_bend;       // [1/L] half the curvature of these shells
+    float ozone_inverse_width;  // [1/L] one over the layer's half width, 0 where there is no layer
+};
+
+// The layers of an atmosphere.
+//
+// Units:    lengths in the atmosphere's unit [L].
+// Domain:   that of Atmosphere.
+// Accuracy: 3 ulp; the air above the top 4 roundoffs times top_altitude over the scale height.
+// Errors:   none; a scale height below thinnest_layer counts as that, an ozone layer of zero width as none.
+// Source:   none.
+airlight_Layers airlight_layers_of(airlight_Atmosphere atmosphere) {
+    float top_radius = atmosphere.ground_radius + atmosphere.top_altitude;
+    float thinnest = airlight_thinnest_layer * top_radius;
+    float rayleigh_height = max(atmosphere.rayleigh_scale_height, thinnest);
+    float rayleigh_above =
+        top_radius * rayleigh_height * exp(-atmosphere.top_altitude / rayleigh_height);
+    float mie_height = thinnest;
+    float mie_above = 0.0;
+#if AIRLIGHT_MIE
+    mie_height = max(atmosphere.mie_scale_height, thinnest);
+    mie_above = top_radius * mie_height * exp(-atmosphere.top_altitude / mie_height);
+#endif
+    vec3 shells = vec3(0.0, 0.0, 0.0);
+    vec3 bend = vec3(0.0, 0.0, 0.0);
+    float inverse_width = 0.0;
+#if AIRLIGHT_OZONE != AIRLIGHT_OZONE_NONE
+    float centre = atmosphere.ozone_altitude;
+    float width = atmosphere.ozone_half_width;
+    shells = vec3(centre - width, centre, centre + width);
+    bend = vec3(0.5, 0.5, 0.5) / (shells + atmosphere.ground_radius);
+    inverse_width = width > 0.0 ? 1.0 / width : 0.0;
+#endif
+    return airlight_Layers(rayleigh_height,
+                           1.0 / rayleigh_height,
+                           1.0 / sqrt(rayleigh_height),
+                           mie_height,
+                           1.0 / mie_height,
+                           1.0 / sqrt(mie_height),
+                           top_radius,
+                           rayleigh_above,
+                           mie_above,
+                           shells,
+                           bend,
+                           inverse_width);
+}
+
+// The densities of the exponential layers at an altitude inside the air.
+//
+// Units:    altitude [L]; result [1], without ozone.
+// Domain:   altitude >= 0.
+// Accuracy: 3 roundoffs times 1 + altitude over the scale height.
+// Errors:   none.
+// Source:   exponential_density.
+airlight_Density airlight_layer_density(airlight_Layers layers, float altitude) {
+    float rayleigh = exp(-altitude * layers.rayleigh_inverse);
+    float mie = 0.0;
+#if AIRLIGHT_MIE
+    mie = exp(-altitude * layers.mie_inverse);
+#endif
+    return airlight_Density(rayleigh, mie, 0.0);
+}
+
+// A point on a straight line through the air, with the line's closest approach to the centre.
+struct airlight_LinePoint {
+    float altitude;          // [L] of the point
+    float radius;            // [L] of the point, from the centre
+    float along;             // [L] from the closest approach to the point, never negative
+    float perigee_radius;    // [L] of the closest approach
+    float perigee_altitude;  // [L] the same, above the ground sphere
+    float inverse_root;      // [L^-0.5] 1 / sqrt(radius + perigee_radius)
+    float bend;              // [1/L] (1/2 + perigee_radius / radius) / (radius + perigee_radius)
+};
+
+// A point on a line whose closest approach is known.
+//
+// Units:    altitude, radius, along, perigee_radius and perigee_altitude [L], inverse_radius [1/L].
+// Domain:   radius > 0.
+// Accuracy: 6 ulp.
+// Errors:   none.
+// Source:   none.
+airlight_LinePoint airlight_line_point(float altitude, float radius, float inverse_radius, float along,
+                                       float perigee_radius, float perigee_altitude) {
+    float inverse_root = 1.0 / sqrt(radius + perigee_radius);
+    float bend = inverse_root * inverse_root * (0.5 + perigee_radius * inverse_radius);
+    return airlight_LinePoint(altitude, radius, along, perigee_radius, perigee_altitude, inverse_root, bend);
+}
+
+// The line from a point towards the sun.
+//
+// Units:    altitude and radius [L] of the point, inverse_radius [1/L]; sun_height [L], of the point from
+//           the centre towards the sun; lengths of the result [L].
+// Domain:   |sun_height| at most the radius, rounding past it is forgiven.
+// Accuracy: 8 roundoffs.
+// Errors:   none.
+// Source:   differences of squares, docs/theory/altitude.md.
+airlight_LinePoint airlight_line_towards_sun(float altitude, float radius, float inverse_radius,
+                                             float sun_height) {
+    float along = min(abs(sun_height), radius);
+    float perigee_radius = sqrt((radius - along) * (radius + along));
+    float inverse_root = 1.0 / sqrt(radius + perigee_radius);
+    float depth = along * inverse_root;
+    float bend = inverse_root * inverse_root * (0.5 + perigee_radius * inverse_radius);
+    return airlight_LinePoint(altitude,     radius, along, perigee_radius, altitude - depth * depth,
+                              inverse_root, bend);
+}
+
+// The air of an exponential layer on a line, from a point away from the closest approach, for ever.
+//
+//     density height radius reach (E(w) + height bend (w + E(w) (1/2 - w^2))),
+//     reach = 1 / sqrt((radius + perigee_radius) height),   w = along reach
+//
+// Chapman's function to first order.
+//
+// Units:    density [1] at the point; height [L], root [L^-0.5] as in Layers; result [L].
+// Domain:   height >= thinnest_layer of the air; point.radius > 0.
+// Accuracy: relative 1.3e-4 at radius / height = 50, 3e-5 at 100, 6e-7 from 800 on.
+// Errors:   none.
+// Source:   docs/theory/chapman.md.
+float airlight_exponential_outwards(airlight_LinePoint point, float density, float height, float root) {
+    float reach = point.inverse_root * root;
+    float w = point.along * reach;
+    float order_0 = airlight_scaled_erfc(w);
+    float order_1 = w + order_0 * (0.5 - w * w);
+    return density * height * (point.radius * reach) * (order_0 + height * point.bend * order_1);
+}
+
+// The air of an exponential layer on a line, from its closest approach outwards, for ever.
+//
+//     height rho_p sqrt(pi / 2 (x + 3 / 4)),   x = perigee_radius / height
+//
+// Units:    perigee_radius, perigee_altitude and height [L]; result [L].
+// Domain:   height > 0; perigee_radius >= 0.
+// Accuracy: relative 2e-5 at x = 50, 1e-7 from 800 on.
+// Errors:   none; below the ground the density grows, to e^40.
+// Source:   docs/theory/chapman.md.
+float airlight_exponential_from_perigee(float perigee_radius, float perigee_altitude, float height) {
+    float density = exp(min(-perigee_altitude / height, 40.0));
+    return density * sqrt(0.5 * airlight_pi * height * (perigee_radius + 0.75 * height));
+}
+
+// Distances of a tent's three shells from a line's closest approach, 0 for those below it.
+//
+// Units:    ground_radius and perigee_altitude [L]; result [L].
+// Shape:    the result is one distance for each of layers.ozone_shells.
+// Domain:   ground_radius > 0.
+// Accuracy: 4 roundoffs plus that of the difference of the altitudes.
+// Errors:   none.
+// Source:   difference of squares.
+vec3 airlight_shells_along(airlight_Layers layers, float ground_radius, float perigee_altitude) {
+    vec3 over = layers.ozone_shells - perigee_altitude;
+    vec3 sum = layers.ozone_shells + (2.0 * ground_radius + perigee_altitude);
+    return sqrt(max(over * sum, vec3(0.0, 0.0, 0.0)));
+}
+
+// The air of a tent on a line, from a point outwards.
+//
+// A tent is a second difference of ramps. A ramp is how deep the line lies below a shell, integrated:
+//
+//     integral (k - h) ds,   k - h = y / 2 r_k + (y / 2 r_k)^2 / 2 r_k + ...,   y = shell_along^2 - s^2
+//
+// Units:    shells [L] of shells_along; along [L] of the point; result [L].
+// Domain:   along >= 0.
+// Accuracy: 3e-5 of the largest column through the layer (measured: 2.4e-5 on Earth).
+// Errors:   none; a layer of zero width gives 0. Below the ground the tent goes on.
+// Source:   series of the shell's radius, integrated term by term.
+float airlight_tent_outwards(airlight_Layers layers, vec3 shells, float along) {
+    vec3 way = max(shells - along, vec3(0.0, 0.0, 0.0));
+    vec3 bent = way * layers.ozone_bend;
+    float third = 0.333333333333333333333333333333333333;
+    vec3 order_1 = 2.0 * third * way + along;
+    vec3 order_2 =
+        way * (1.6 * third * way + 5.0 * third * along) + 4.0 * third * along * along;
+    vec3 ramps = way * bent * (order_1 + bent * layers.ozone_bend * order_2);
+    return max(ramps.x - 2.0 * ramps.y + ramps.z, 0.0) * layers.ozone_inverse_width;
+}
+
+// The air of a Lorentz curve times the Rayleigh density on a line, from a point outwards.
+//
+// Eight points of Gauss over q with y = y_centre + width 2 q / (1 - q^2), y^2 = altitude over the closest
+// approach: y takes the square root away that the closest approach puts in, and q the curve's peak.
+//
+// Altitudes are counted from the layer's centre, where they have the most digits.
+//
+// Units:    along and altitude [L] of the point, inverse_root [L^-0.5] as in LinePoint; result [L].
+// Domain:   ground_radius > 0.
+// Accuracy: 5e-3 of the largest column through the layer (measured: 4.0e-3 with Leenman's numbers).
+// Errors:   none; a layer of zero width gives 0; what lies more than 10 half widths above the centre is
+//           left out (a share of 1e-4 on Earth).
+// Source:   Gauss-Legendre quadrature.
+float airlight_lorentzian_outwards(airlight_Atmosphere atmosphere, airlight_Layers layers,
+                                   float perigee_radius, float perigee_altitude, float along,
+                                   float inverse_root, float altitude) {
+    float centre = atmosphere.ozone_altitude;
+    float width = atmosphere.ozone_half_width;
+    float end = min(atmosphere.top_altitude, centre + 10.0 * width);
+    if (width <= 0.0 || altitude >= end) {
+        return 0.0;
+    }
+    float over = centre - perigee_altitude;
+    float base = max(centre, perigee_altitude);
+    float y_centre = airlight_safe_sqrt(over);
+    float spread = over > 0.0 ? 2.0 * width / (y_centre + sqrt(over + width))
+                              : 2.0 * sqrt(sqrt(width * width + over * over));
+    float y_sum = along * inverse_root + y_centre;
+    float end_sum = airlight_safe_sqrt(end - perigee_altitude) + y_centre;
+    // Nothing worth counting lies further than 1000 widths out; q keeps its digits up to there.
+    float first = y_sum > 0.0 ? clamp((altitude - base) / (y_sum * spread), -1000.0, 1000.0) : 0.0;
+    float last = end_sum > 0.0 ? clamp((end - base) / (end_sum * spread), -1000.0, 1000.0) : 0.0;
+    float q_first = first / (1.0 + sqrt(1.0 + first * first));
+    float q_way = max(last / (1.0 + sqrt(1.0 + last * last)) - q_first, 0.0);
+    float sum = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        float q = q_first + q_way * airlight_gauss_8_positions[i];
+        float stretch = 1.0 / ((1.0 - q) * (1.0 + q));
+        float y = 2.0 * spread * q * stretch;
+        float over_base = y * (y + 2.0 * y_centre);
+        float offset = (over_base + (base - centre)) * layers.ozone_inverse_width;
+        float air = exp(-max(base + over_base, 0.0) * layers.rayleigh_inverse);
+        sum += airlight_gauss_8_weights[i] * air * (1.0 + q * q) * stretch * stretch / (1.0 + offset * offset);
+    }
+    float radius = atmosphere.ground_radius + base;
+    return 4.0 * spread * q_way * sum * radius / sqrt(radius + perigee_radius);
+}
+
+// The air of a view ray or of a sun ray outwards from a point of it, away from its closest approach; a
+// difference of two is the air between two points.
+//
+// Units:    density [1] at the point; shells [L] of shells_along; result [L].
+// Domain:   that of LinePoint.
+// Accuracy: that of exponential_outwards, tent_outwards and lorentzian_outwards.
+// Errors:   none.
+// Source:   exponential_outwards, tent_outwards, lorentzian_outwards.
+airlight_Column airlight_column_outwards(airlight_Atmosphere atmosphere, airlight_Layers layers,
+                                         airlight_LinePoint point, vec3 shells, airlight_Density density) {
+    float rayleigh =
+        airlight_exponential_outwards(point, density.rayleigh, layers.rayleigh_height, layers.rayleigh_root);
+    float mie = 0.0;
+#if AIRLIGHT_MIE
+    mie = airlight_exponential_outwards(point, density.mie, layers.mie_height, layers.mie_root);
+#endif
+    float ozone = 0.0;
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
+    ozone = airlight_tent_outwards(layers, shells, point.along);
+#endif
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
+    ozone = airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
+                                         point.along, point.inverse_root, point.altitude);
+#endif
+    return airlight_Column(rayleigh, mie, ozone);
+}
+
+// ---- sun_column -------------------------------------------------------------
+
+// The molecules and the aerosol from a point to the sun, as if the air never ended.
+//
+// Units:    density [1] at the point; result [L], without ozone.
+// Domain:   that of LinePoint; `sinks` where the line first comes closer to the centre.
+// Accuracy: that of exponential_outwards and exponential_from_perigee.
+// Errors:   none; ignores the ground.
+// Source:   exponential_outwards, exponential_from_perigee.
+airlight_Column airlight_exponentials_to_sun(airlight_Layers layers, airlight_LinePoint point, bool sinks,
+                                             airlight_Density density) {
+    float rayleigh = airlight_exponential_outwards(point, density.rayleigh, layers.rayleigh_height,
+                                                   layers.rayleigh_root);
+    float mie = 0.0;
+#if AIRLIGHT_MIE
+    mie = airlight_exponential_outwards(point, density.mie, layers.mie_height, layers.mie_root);
+#endif
+    if (sinks) {
+        float half_rayleigh =
+            airlight_exponential_from_perigee(point.perigee_radius, point.perigee_altitude,
+                                              layers.rayleigh_height);
+        rayleigh = max(2.0 * half_rayleigh - rayleigh, 0.0);
+#if AIRLIGHT_MIE
+        float half_mie =
+            airlight_exponential_from_perigee(point.perigee_radius, point.perigee_altitude,
+                                              layers.mie_height);
+        mie = max(2.0 * half_mie - mie, 0.0);
+#endif
+    }
+    return airlight_Column(rayleigh, mie, 0.0);
+}
+
+// The absorbing layer from a point to the sun.
+//
+// Units:    result [L].
+// Domain:   that of exponentials_to_sun.
+// Accuracy: that of tent_outwards and lorentzian_outwards.
+// Errors:   none; without an absorbing layer 0.
+// Source:   tent_outwards, lorentzian_outwards.
+float airlight_ozone_to_sun(airlight_Atmosphere atmosphere, airlight_Layers layers, airlight_LinePoint point,
+                            bool sinks) {
+    float air = 0.0;
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
+    if (!sinks && point.radius >= atmosphere.ground_radius + layers.ozone_shells.z) {
+        return 0.0;
+    }
+    vec3 shells = airlight_shells_along(layers, atmosphere.ground_radius, point.perigee_altitude);
+    air = airlight_tent_outwards(layers, shells, point.along);
+    if (sinks) {
+        air = 2.0 * airlight_tent_outwards(layers, shells, 0.0) - air;
+    }
+    if (layers.ozone_shells.z > atmosphere.top_altitude) {
+        float top_along = airlight_safe_sqrt((layers.top_radius - point.perigee_radius) *
+                                             (layers.top_radius + point.perigee_radius));
+        air -= airlight_tent_outwards(layers, shells, top_along);
+    }
+#endif
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
+    air = airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
+                                       point.along, point.inverse_root, point.altitude);
+    if (sinks) {
+        air = 2.0 * airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius,
+                                                 point.perigee_altitude, 0.0, 0.0, point.perigee_altitude) -
+              air;
+    }
+#endif
+    return max(air, 0.0);
+}
+
+// The air from a point to the sun.
+//
+// The air above the top, were there any, is taken off: for a line that is straight over a scale
+// height, bounded where it grazes the top.
+//
+// Units:    density [1] at the point; result [L].
+// Domain:   that of LinePoint; a point inside the air; `sinks` where the line first comes closer to the
+//           centre.
+// Accuracy: as light sees it, exp of minus the optical depth: 5e-6 on Earth, in float too (measured:
+//           3.3e-6, ozone and a top at 60 km included); ozone of the Lorentz curve by ozone_to_sun.
+// Errors:   none; ignores the ground.
+// Source:   exponentials_to_sun, ozone_to_sun.
+airlight_Column airlight_column_to_sun(airlight_Atmosphere atmosphere, airlight_Layers layers,
+                                       airlight_LinePoint point, bool sinks, airlight_Density density) {
+    airlight_Column endless = airlight_exponentials_to_sun(layers, point, sinks, density);
+    float square = max(
+        (layers.top_radius - point.perigee_radius) * (layers.top_radius + point.perigee_radius), 0.0);
+    float slant = 1.0 / sqrt(square + 2.0 * layers.rayleigh_height * layers.top_radius);
+    float rayleigh = max(endless.rayleigh - layers.rayleigh_above * slant, 0.0);
+    float mie = 0.0;
+#if AIRLIGHT_MIE
+    mie = max(endless.mie - layers.mie_above * slant, 0.0);
+#endif
+    return airlight_Column(rayleigh, mie, airlight_ozone_to_sun(atmosphere, layers, point, sinks));
+}
+
 // ---- optical_depth ----------------------------------------------------------
 
 // Optical depth of a given amount of air: each column times its extinction, summed.
@@ -1349,6 +2099,284 @@ float airlight_mie_phase(float cos_theta, float g) {
 #else
     return airlight_cornette_shanks_phase(cos_theta, g);
 #endif
+}
+
+// A view ray in the air with all that its nodes share.
+struct airlight_LitRay {
+    airlight_AirRay air;       // its stretch in the air
+    airlight_SunOverLine sun;  // the sun over it
+    airlight_Layers layers;    // of the atmosphere
+    vec3 shells;               // [L] its shells_along
+    vec3 rayleigh_source;      // [1/(L sr)] scattered towards the eye by molecules of density 1
+    vec3 mie_source;           // [1/(L sr)] the same by the aerosol
+};
+
+// A view ray made ready for its nodes.
+//
+// Units:    those of single_scattering.
+// Domain:   that of single_scattering.
+// Accuracy: that of its parts.
+// Errors:   none.
+// Source:   air_ray, sun_over_line, layers_of, rayleigh_phase, mie_phase.
+airlight_LitRay airlight_lit_ray(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
+                                 vec3 to_sun, float distance) {
+    airlight_AirRay air = airlight_air_ray(atmosphere, eye, direction, distance);
+    airlight_SunOverLine sun = airlight_sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
+    airlight_Layers layers = airlight_layers_of(atmosphere);
+    vec3 shells = vec3(0.0, 0.0, 0.0);
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
+    shells = airlight_shells_along(layers, atmosphere.ground_radius, air.perigee_altitude);
+#endif
+    vec3 rayleigh_source = atmosphere.rayleigh_scattering * airlight_rayleigh_phase(sun.cos_theta);
+    vec3 mie_source = vec3(0.0, 0.0, 0.0);
+#if AIRLIGHT_MIE
+    mie_source = atmosphere.mie_scattering * airlight_mie_phase(sun.cos_theta, atmosphere.mie_g);
+#endif
+    return airlight_LitRay(air, sun, layers, shells, rayleigh_source, mie_source);
+}
+
+// A point of a view ray and the air there.
+struct airlight_RayPoint {
+    float altitude;            // [L]
+    airlight_Density density;  // [1] of molecules and aerosol
+    airlight_Column outwards;  // [L] of air from here on, away from the closest approach
+};
+
+// The point of a view ray at a distance from the start of its stretch in the air.
+//
+// Units:    t [L].
+// Domain:   t from 0 to ray.air.extent.
+// Accuracy: that of altitude_along_ray and column_outwards.
+// Errors:   none.
+// Source:   altitude_along_ray, column_outwards.
+airlight_RayPoint airlight_ray_point(airlight_Atmosphere atmosphere, airlight_LitRay ray, float t) {
+    float altitude =
+        max(airlight_altitude_along_ray(atmosphere.ground_radius, ray.air.altitude, ray.air.along, t), 0.0);
+    float radius = atmosphere.ground_radius + altitude;
+    airlight_Density density = airlight_layer_density(ray.layers, altitude);
+    airlight_LinePoint point = airlight_line_point(altitude, radius, 1.0 / radius, abs(ray.air.along + t),
+                                                   ray.air.perigee_radius, ray.air.perigee_altitude);
+    return airlight_RayPoint(altitude, density,
+                             airlight_column_outwards(atmosphere, ray.layers, point, ray.shells, density));
+}
+
+// The optical depth that the nodes follow: mostly red's, which is what is left of light that has come far.
+//
+// Units:    column [L]; result [1].
+// Domain:   every column.
+// Accuracy: 6 ulp.
+// Errors:   none.
+// Source:   weights that served well in study/fit_nodes.
+float airlight_guiding_depth(airlight_Atmosphere atmosphere, airlight_Column column) {
+    vec3 depth = airlight_column_optical_depth(atmosphere, column);
+    return 0.75 * depth.x + 0.25 * depth.y;
+}
+
+// The node map of one piece of a view ray: how strongly light is lost towards the sun and towards the
+// eye decides which end the nodes crowd at.
+//
+// Units:    extent [L] of the piece; low_along [L] of its low end from the closest approach.
+// Domain:   low and high are the piece's ends; outwards is 1 where the ray climbs, -1 where it falls.
+// Accuracy: none, every map is exact.
+// Errors:   none.
+// Source:   docs/theory/nodes.md.
+airlight_NodeMap airlight_piece_map(airlight_Atmosphere atmosphere, airlight_LitRay ray,
+                                    airlight_RayPoint low, airlight_RayPoint high, float low_along,
+                                    float extent, float outwards) {
+    airlight_NodeFit fit = airlight_node_fit();
+    float low_radius = atmosphere.ground_radius + low.altitude;
+    float high_radius = atmosphere.ground_radius + high.altitude;
+    float rise = extent * (2.0 * low_along + extent) / (low_radius + high_radius);
+    float height = max(ray.layers.rayleigh_height, 1e-6 * rise);
+
+    float sun_height = ray.sun.perigee_height + outwards * low_along * ray.sun.cos_theta;
+    airlight_LinePoint to_sun = airlight_line_towards_sun(low.altitude, low_radius, 1.0 / low_radius,
+                                                          sun_height);
+    airlight_Column sunlit =
+        airlight_exponentials_to_sun(ray.layers, to_sun, sun_height < 0.0, low.density);
+    float sun_depth = min(airlight_guiding_depth(atmosphere, sunlit), 1e4);
+    float view_depth = airlight_guiding_depth(atmosphere,
+                                              airlight_column_sum(low.outwards, -1.0, high.outwards));
+    float pulled = fit.sun * sun_depth * rise / (rise + height) - outwards * fit.view * view_depth;
+    return airlight_node_map(fit, low_radius, low_along, high_radius, rise, height, pulled);
+}
+
+// Sunlight scattered towards the eye by a length of air at one node, dimmed on its way to the node and from
+// there to the eye.
+//
+// Units:    altitude and along [L] of the node, along never negative; result [1/(L sr)] per unit of solar
+//           irradiance above the air.
+// Domain:   a node of the ray with its density; the column from the eye is offset - outwards times the
+//           node's.
+// Accuracy: that of the columns.
+// Errors:   none; ignores the ground.
+// Source:   Beer's law.
+vec3 airlight_node_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray, airlight_Column offset,
+                            float outwards, float altitude, float along, airlight_Density density) {
+    float radius = atmosphere.ground_radius + altitude;
+    float inverse_radius = 1.0 / radius;
+    airlight_LinePoint on_ray =
+        airlight_line_point(altitude, radius, inverse_radius, along, ray.air.perigee_radius,
+                            ray.air.perigee_altitude);
+    airlight_Column beyond = airlight_column_outwards(atmosphere, ray.layers, on_ray, ray.shells, density);
+    float sun_height = ray.sun.perigee_height + outwards * along * ray.sun.cos_theta;
+    airlight_LinePoint to_sun = airlight_line_towards_sun(altitude, radius, inverse_radius, sun_height);
+    airlight_Column sunlit =
+        airlight_column_to_sun(atmosphere, ray.layers, to_sun, sun_height < 0.0, density);
+    airlight_Column passed = airlight_column_sum(airlight_column_sum(offset, -outwards, beyond), 1.0, sunlit);
+    vec3 depth = airlight_column_optical_depth(atmosphere, passed);
+    vec3 source = ray.rayleigh_source * density.rayleigh;
+#if AIRLIGHT_MIE
+    source += ray.mie_source * density.mie;
+#endif
+    return source * exp(-max(depth, vec3(0.0, 0.0, 0.0)));
+}
+
+// The most that a ray can scatter towards the eye: all that it takes out of light, spread as the strongest
+// phase function spreads it. Keeps absurdly thick or thin layers, which few nodes cannot follow, from
+// making light.
+//
+//     1.01 max(p_R, p_M) (1 - T),   1 - T at most tau / (1 + tau / 2) where it would cancel
+//
+// The hundredth is for the errors of depth and radiance: clear air may come that close to the bound.
+//
+// Units:    cos_theta, depth and transmittance [1]; result [1/sr].
+// Shape:    depth, transmittance and the result are spectra.
+// Domain:   depth >= 0; transmittance = exp(-depth).
+// Accuracy: 1 to 3 % above the bound.
+// Errors:   none.
+// Source:   conservation of energy; the fraction is the Pade approximant of 1 - exp(-x).
+vec3 airlight_most_scattered(airlight_Atmosphere atmosphere, float cos_theta, vec3 depth,
+                             vec3 transmittance) {
+    float strongest = airlight_rayleigh_phase(cos_theta);
+#if AIRLIGHT_MIE
+    vec3 aerosol = atmosphere.mie_scattering;
+    if (aerosol.x + aerosol.y + aerosol.z > 0.0) {
+        strongest = max(strongest, airlight_mie_phase(cos_theta, atmosphere.mie_g));
+    }
+#endif
+    vec3 thin = depth / (1.0 + 0.5 * depth);
+    return 1.01 * strongest *
+           vec3(depth.x < 0.5 ? thin.x : 1.0 - transmittance.x,
+                depth.y < 0.5 ? thin.y : 1.0 - transmittance.y,
+                depth.z < 0.5 ? thin.z : 1.0 - transmittance.z);
+}
+
+// Sunlight scattered once into a view ray, without marching: Scene::nodes samples in each piece of the ray
+// that is lit and on one side of its closest approach to the centre.
+//
+// All air between the eye, a sample and the sun comes in closed form, and the samples lie where the
+// light comes from, so that few are enough.
+//
+// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result per
+//           unit of solar irradiance above the air, radiance [1/sr].
+// Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none;
+//           visibility in [0, 1].
+// Accuracy: by Scene::nodes, see docs/trade.md; with 8 nodes and no ozone 3e-4 of the luminance on Earth,
+//           with ozone 1e-3 by day and 3e-3 at twilight.
+// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
+// Source:   docs/theory/nodes.md.
+airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,
+                                              vec3 direction, vec3 to_sun, float distance) {
+    airlight_LitRay ray = airlight_lit_ray(atmosphere, eye, direction, to_sun, distance);
+    if (!ray.air.in_air) {
+        return airlight_Scattered(vec3(0.0, 0.0, 0.0), vec3(1.0, 1.0, 1.0));
+    }
+    float along = ray.air.along;
+
+    // The planet's shadow cuts the ray, and so does the shadow of the ozone's upper edge: there the
+    // sunlight's air has a kink.
+    airlight_LineSpan dusk = airlight_LineSpan(0.0, 0.0);
+    airlight_LineSpan dark = airlight_LineSpan(0.0, 0.0);
+#if AIRLIGHT_PLANET_SHADOW
+    float radius = atmosphere.ground_radius;
+    dark = airlight_shadow_span(radius, ray.air.perigee_altitude, ray.sun, 0.0);
+    dusk = dark;
+#if AIRLIGHT_OZONE != AIRLIGHT_OZONE_NONE
+    vec3 absorption = atmosphere.ozone_absorption;
+    if (absorption.x + absorption.y + absorption.z > 0.0) {
+        dusk = airlight_shadow_span(radius, ray.air.perigee_altitude, ray.sun, ray.layers.ozone_shells.z);
+    }
+#endif
+#endif
+
+    // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
+    bool dims = dusk.begin < dusk.end;
+    bool darkens = dark.begin < dark.end;
+    float extent = ray.air.extent;
+    float none = -1.0;
+    float begins[4] = float[4](0.0, dusk.begin - along, dark.end - along, dims ? dusk.end - along : 0.0);
+    float ends[4] = float[4](dims ? dusk.begin - along : none,
+                             dims ? (darkens ? dark.begin : dusk.end) - along : none,
+                             darkens ? dusk.end - along : none, extent);
+
+    // Down to the closest approach, then up from it. Falling, there is more air outwards from a node than
+    // outwards from the eye; climbing, less. The difference is the air between them.
+    bool falls = along < 0.0;
+    bool climbs = along + extent > 0.0;
+    airlight_RayPoint here = airlight_ray_point(atmosphere, ray, 0.0);
+    airlight_Column offset = airlight_column_sum(airlight_Column(0.0, 0.0, 0.0), -1.0, here.outwards);
+    float outwards = -1.0;
+    bool at_end = false;
+    airlight_Column swept = airlight_Column(0.0, 0.0, 0.0);  // by the nodes; in place of ozone the length
+    vec3 radiance = vec3(0.0, 0.0, 0.0);
+    for (int leg = 0; leg < 2; ++leg) {
+        float leg_begin = leg == 1 && falls ? -along : 0.0;
+        float leg_end = leg == 0 && climbs ? -along : extent;
+        if (leg == 1 && climbs) {
+            if (falls) {
+                here = airlight_ray_point(atmosphere, ray, leg_begin);
+            }
+            offset = airlight_column_sum(offset, 2.0, here.outwards);
+            outwards = 1.0;
+        }
+        for (int i = 0; i < 4; ++i) {
+            float begin = max(begins[i], leg_begin);
+            float end = min(ends[i], leg_end);
+            if ((leg == 0 ? falls : climbs) && end > begin) {
+                if (i > 1 && darkens) {
+                    here = airlight_ray_point(atmosphere, ray, begin);
+                }
+                airlight_RayPoint low = here;
+                here = airlight_ray_point(atmosphere, ray, end);
+                airlight_RayPoint high = here;
+                if (leg == 0) {
+                    high = low;
+                    low = here;
+                }
+                at_end = i == 3 && (leg == 1 || !climbs);
+
+                float low_along = abs(along + (leg == 0 ? end : begin));
+                airlight_NodeMap map =
+                    airlight_piece_map(atmosphere, ray, low, high, low_along, end - begin, outwards);
+                for (int j = 0; j < AIRLIGHT_NODES; ++j) {
+                    airlight_Node node = airlight_node_at(map, airlight_gauss_position(j));
+                    float t = leg == 0 ? end - node.way : begin + node.way;
+                    float altitude = low.altitude + node.rise;
+                    airlight_Density density = airlight_layer_density(ray.layers, altitude);
+                    float share = airlight_gauss_weight(j) * node.stretch;
+                    swept = airlight_column_sum(swept, share,
+                                                airlight_Column(density.rayleigh, density.mie, 1.0));
+                    float lit = share * AIRLIGHT_VISIBILITY(direction * (ray.air.begin + t));
+                    radiance += lit * airlight_node_radiance(atmosphere, ray, offset, outwards, altitude,
+                                                             node.along, density);
+                }
+            }
+        }
+    }
+    if (!at_end) {
+        here = airlight_ray_point(atmosphere, ray, extent);
+    }
+    airlight_Column passed = airlight_column_sum(offset, -outwards, here.outwards);
+    // The difference of two columns outwards has no digits left for a short ray; its nodes' sum has.
+    if (extent < 0.01 * ray.layers.rayleigh_height && swept.ozone > 0.99 * extent) {
+        passed = airlight_Column(swept.rayleigh, swept.mie, passed.ozone);
+    }
+    vec3 depth =
+        max(airlight_column_optical_depth(atmosphere, passed), vec3(0.0, 0.0, 0.0));
+    vec3 transmittance = exp(-depth);
+    vec3 most = airlight_most_scattered(atmosphere, ray.sun.cos_theta, depth, transmittance);
+    return airlight_Scattered(min(radiance, most), transmittance);
 }
 
 // Sunlight scattered once into a view ray, by `steps` equal steps through the air.

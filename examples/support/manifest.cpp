@@ -113,7 +113,7 @@ Manifest read_manifest(const std::filesystem::path& file) {
         for (const auto& item : json.at("functions")) {
             out.functions.push_back({item.at("name"), item.at("glsl"), item.at("header"), item.at("file"),
                                      read_members(item.at("parameters")), item.at("result"), item.at("flags"),
-                                     item.at("hooks")});
+                                     item.at("hooks"), item.at("calls")});
         }
     } catch (const nlohmann::json::exception& e) {
         throw Error(file.string() + " is not the manifest that glslgen writes: " + e.what());

@@ -29,6 +29,7 @@ struct Function {
     std::string result;
     std::vector<std::string> flags;  ///< names, those of the functions it calls included
     std::vector<std::string> hooks;  ///< likewise
+    std::vector<std::string> calls;  ///< functions of the library that it calls itself
 };
 
 struct Flag {

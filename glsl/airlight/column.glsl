@@ -6,6 +6,7 @@
 #include "airlight/chapman.glsl"
 #include "airlight/constants.glsl"
 #include "airlight/density.glsl"
+#include "airlight/gauss.glsl"
 #include "airlight/ray_sphere.glsl"
 #include "airlight/scene.glsl"
 #include "airlight/view_path.glsl"
@@ -16,6 +17,18 @@ struct airlight_Column {
     float mie;       // [L] of aerosol, 0 where the scene has none
     float ozone;     // [L] of the absorbing layer, 0 where the scene has none
 };
+
+// One amount of air plus a multiple of another.
+//
+// Units:    columns [L]; factor [1]; result [L].
+// Domain:   every finite value.
+// Accuracy: 2 roundoffs of the two terms.
+// Errors:   none.
+// Source:   none.
+airlight_Column airlight_column_sum(airlight_Column a, float factor, airlight_Column b) {
+    return airlight_Column(a.rayleigh + factor * b.rayleigh, a.mie + factor * b.mie,
+                           a.ozone + factor * b.ozone);
+}
 
 // The relative density [1] of each substance at one altitude.
 struct airlight_Density {

@@ -5,16 +5,6 @@
 // Circumference of a circle over its diameter [1].
 const float airlight_pi = 3.14159265358979323846264338327950288;
 
-// Where the four-point rule of Gauss and Legendre takes its samples on [0, 1] [1].
-const float airlight_gauss_4_positions[4] = float[4](
-    0.0694318442029737123880267555535953, 0.330009478207571867598667120448378,
-    0.669990521792428132401332879551622, 0.930568155797026287611973244446405);
-
-// What each of those samples counts [1]; the sum is 1.
-const float airlight_gauss_4_weights[4] = float[4](
-    0.173927422568726928686531974610999, 0.326072577431273071313468025389001,
-    0.326072577431273071313468025389001, 0.173927422568726928686531974610999);
-
 // The distance that says "the view ray ends on no surface".
 //
 // Units:    result in the caller's length unit [L].

@@ -38,5 +38,9 @@
 #ifndef AIRLIGHT_PLANET_SHADOW
 #define AIRLIGHT_PLANET_SHADOW 1
 #endif
+// per lit piece of a view ray: 4, 5, 6, 8, 10, 12, 16 or 24
+#ifndef AIRLIGHT_NODES
+#define AIRLIGHT_NODES 8
+#endif
 
 #endif

@@ -2,9 +2,12 @@
 #ifndef AIRLIGHT_SINGLE_SCATTERING_GLSL
 #define AIRLIGHT_SINGLE_SCATTERING_GLSL
 
+#include "airlight/gauss.glsl"
+#include "airlight/node_map.glsl"
 #include "airlight/phase.glsl"
+#include "airlight/planet_shadow.glsl"
+#include "airlight/sun_column.glsl"
 #include "airlight/transmittance.glsl"
-#include "airlight/view_path.glsl"
 
 // Hook: the share of sunlight that reaches `position` (relative to the eye), in [0, 1].
 // In GLSL, define the macro before this line, as the call of a function of your own.
@@ -33,6 +36,284 @@ float airlight_mie_phase(float cos_theta, float g) {
 #else
     return airlight_cornette_shanks_phase(cos_theta, g);
 #endif
+}
+
+// A view ray in the air with all that its nodes share.
+struct airlight_LitRay {
+    airlight_AirRay air;       // its stretch in the air
+    airlight_SunOverLine sun;  // the sun over it
+    airlight_Layers layers;    // of the atmosphere
+    vec3 shells;               // [L] its shells_along
+    vec3 rayleigh_source;      // [1/(L sr)] scattered towards the eye by molecules of density 1
+    vec3 mie_source;           // [1/(L sr)] the same by the aerosol
+};
+
+// A view ray made ready for its nodes.
+//
+// Units:    those of single_scattering.
+// Domain:   that of single_scattering.
+// Accuracy: that of its parts.
+// Errors:   none.
+// Source:   air_ray, sun_over_line, layers_of, rayleigh_phase, mie_phase.
+airlight_LitRay airlight_lit_ray(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
+                                 vec3 to_sun, float distance) {
+    airlight_AirRay air = airlight_air_ray(atmosphere, eye, direction, distance);
+    airlight_SunOverLine sun = airlight_sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
+    airlight_Layers layers = airlight_layers_of(atmosphere);
+    vec3 shells = vec3(0.0, 0.0, 0.0);
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
+    shells = airlight_shells_along(layers, atmosphere.ground_radius, air.perigee_altitude);
+#endif
+    vec3 rayleigh_source = atmosphere.rayleigh_scattering * airlight_rayleigh_phase(sun.cos_theta);
+    vec3 mie_source = vec3(0.0, 0.0, 0.0);
+#if AIRLIGHT_MIE
+    mie_source = atmosphere.mie_scattering * airlight_mie_phase(sun.cos_theta, atmosphere.mie_g);
+#endif
+    return airlight_LitRay(air, sun, layers, shells, rayleigh_source, mie_source);
+}
+
+// A point of a view ray and the air there.
+struct airlight_RayPoint {
+    float altitude;            // [L]
+    airlight_Density density;  // [1] of molecules and aerosol
+    airlight_Column outwards;  // [L] of air from here on, away from the closest approach
+};
+
+// The point of a view ray at a distance from the start of its stretch in the air.
+//
+// Units:    t [L].
+// Domain:   t from 0 to ray.air.extent.
+// Accuracy: that of altitude_along_ray and column_outwards.
+// Errors:   none.
+// Source:   altitude_along_ray, column_outwards.
+airlight_RayPoint airlight_ray_point(airlight_Atmosphere atmosphere, airlight_LitRay ray, float t) {
+    float altitude =
+        max(airlight_altitude_along_ray(atmosphere.ground_radius, ray.air.altitude, ray.air.along, t), 0.0);
+    float radius = atmosphere.ground_radius + altitude;
+    airlight_Density density = airlight_layer_density(ray.layers, altitude);
+    airlight_LinePoint point = airlight_line_point(altitude, radius, 1.0 / radius, abs(ray.air.along + t),
+                                                   ray.air.perigee_radius, ray.air.perigee_altitude);
+    return airlight_RayPoint(altitude, density,
+                             airlight_column_outwards(atmosphere, ray.layers, point, ray.shells, density));
+}
+
+// The optical depth that the nodes follow: mostly red's, which is what is left of light that has come far.
+//
+// Units:    column [L]; result [1].
+// Domain:   every column.
+// Accuracy: 6 ulp.
+// Errors:   none.
+// Source:   weights that served well in study/fit_nodes.
+float airlight_guiding_depth(airlight_Atmosphere atmosphere, airlight_Column column) {
+    vec3 depth = airlight_column_optical_depth(atmosphere, column);
+    return 0.75 * depth.x + 0.25 * depth.y;
+}
+
+// The node map of one piece of a view ray: how strongly light is lost towards the sun and towards the
+// eye decides which end the nodes crowd at.
+//
+// Units:    extent [L] of the piece; low_along [L] of its low end from the closest approach.
+// Domain:   low and high are the piece's ends; outwards is 1 where the ray climbs, -1 where it falls.
+// Accuracy: none, every map is exact.
+// Errors:   none.
+// Source:   docs/theory/nodes.md.
+airlight_NodeMap airlight_piece_map(airlight_Atmosphere atmosphere, airlight_LitRay ray,
+                                    airlight_RayPoint low, airlight_RayPoint high, float low_along,
+                                    float extent, float outwards) {
+    airlight_NodeFit fit = airlight_node_fit();
+    float low_radius = atmosphere.ground_radius + low.altitude;
+    float high_radius = atmosphere.ground_radius + high.altitude;
+    float rise = extent * (2.0 * low_along + extent) / (low_radius + high_radius);
+    float height = max(ray.layers.rayleigh_height, 1e-6 * rise);
+
+    float sun_height = ray.sun.perigee_height + outwards * low_along * ray.sun.cos_theta;
+    airlight_LinePoint to_sun = airlight_line_towards_sun(low.altitude, low_radius, 1.0 / low_radius,
+                                                          sun_height);
+    airlight_Column sunlit =
+        airlight_exponentials_to_sun(ray.layers, to_sun, sun_height < 0.0, low.density);
+    float sun_depth = min(airlight_guiding_depth(atmosphere, sunlit), 1e4);
+    float view_depth = airlight_guiding_depth(atmosphere,
+                                              airlight_column_sum(low.outwards, -1.0, high.outwards));
+    float pulled = fit.sun * sun_depth * rise / (rise + height) - outwards * fit.view * view_depth;
+    return airlight_node_map(fit, low_radius, low_along, high_radius, rise, height, pulled);
+}
+
+// Sunlight scattered towards the eye by a length of air at one node, dimmed on its way to the node and from
+// there to the eye.
+//
+// Units:    altitude and along [L] of the node, along never negative; result [1/(L sr)] per unit of solar
+//           irradiance above the air.
+// Domain:   a node of the ray with its density; the column from the eye is offset - outwards times the
+//           node's.
+// Accuracy: that of the columns.
+// Errors:   none; ignores the ground.
+// Source:   Beer's law.
+vec3 airlight_node_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray, airlight_Column offset,
+                            float outwards, float altitude, float along, airlight_Density density) {
+    float radius = atmosphere.ground_radius + altitude;
+    float inverse_radius = 1.0 / radius;
+    airlight_LinePoint on_ray =
+        airlight_line_point(altitude, radius, inverse_radius, along, ray.air.perigee_radius,
+                            ray.air.perigee_altitude);
+    airlight_Column beyond = airlight_column_outwards(atmosphere, ray.layers, on_ray, ray.shells, density);
+    float sun_height = ray.sun.perigee_height + outwards * along * ray.sun.cos_theta;
+    airlight_LinePoint to_sun = airlight_line_towards_sun(altitude, radius, inverse_radius, sun_height);
+    airlight_Column sunlit =
+        airlight_column_to_sun(atmosphere, ray.layers, to_sun, sun_height < 0.0, density);
+    airlight_Column passed = airlight_column_sum(airlight_column_sum(offset, -outwards, beyond), 1.0, sunlit);
+    vec3 depth = airlight_column_optical_depth(atmosphere, passed);
+    vec3 source = ray.rayleigh_source * density.rayleigh;
+#if AIRLIGHT_MIE
+    source += ray.mie_source * density.mie;
+#endif
+    return source * exp(-max(depth, vec3(0.0, 0.0, 0.0)));
+}
+
+// The most that a ray can scatter towards the eye: all that it takes out of light, spread as the strongest
+// phase function spreads it. Keeps absurdly thick or thin layers, which few nodes cannot follow, from
+// making light.
+//
+//     1.01 max(p_R, p_M) (1 - T),   1 - T at most tau / (1 + tau / 2) where it would cancel
+//
+// The hundredth is for the errors of depth and radiance: clear air may come that close to the bound.
+//
+// Units:    cos_theta, depth and transmittance [1]; result [1/sr].
+// Shape:    depth, transmittance and the result are spectra.
+// Domain:   depth >= 0; transmittance = exp(-depth).
+// Accuracy: 1 to 3 % above the bound.
+// Errors:   none.
+// Source:   conservation of energy; the fraction is the Pade approximant of 1 - exp(-x).
+vec3 airlight_most_scattered(airlight_Atmosphere atmosphere, float cos_theta, vec3 depth,
+                             vec3 transmittance) {
+    float strongest = airlight_rayleigh_phase(cos_theta);
+#if AIRLIGHT_MIE
+    vec3 aerosol = atmosphere.mie_scattering;
+    if (aerosol.x + aerosol.y + aerosol.z > 0.0) {
+        strongest = max(strongest, airlight_mie_phase(cos_theta, atmosphere.mie_g));
+    }
+#endif
+    vec3 thin = depth / (1.0 + 0.5 * depth);
+    return 1.01 * strongest *
+           vec3(depth.x < 0.5 ? thin.x : 1.0 - transmittance.x,
+                depth.y < 0.5 ? thin.y : 1.0 - transmittance.y,
+                depth.z < 0.5 ? thin.z : 1.0 - transmittance.z);
+}
+
+// Sunlight scattered once into a view ray, without marching: Scene::nodes samples in each piece of the ray
+// that is lit and on one side of its closest approach to the centre.
+//
+// All air between the eye, a sample and the sun comes in closed form, and the samples lie where the
+// light comes from, so that few are enough.
+//
+// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result per
+//           unit of solar irradiance above the air, radiance [1/sr].
+// Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none;
+//           visibility in [0, 1].
+// Accuracy: by Scene::nodes, see docs/trade.md; with 8 nodes and no ozone 3e-4 of the luminance on Earth,
+//           with ozone 1e-3 by day and 3e-3 at twilight.
+// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
+// Source:   docs/theory/nodes.md.
+airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,
+                                              vec3 direction, vec3 to_sun, float distance) {
+    airlight_LitRay ray = airlight_lit_ray(atmosphere, eye, direction, to_sun, distance);
+    if (!ray.air.in_air) {
+        return airlight_Scattered(vec3(0.0, 0.0, 0.0), vec3(1.0, 1.0, 1.0));
+    }
+    float along = ray.air.along;
+
+    // The planet's shadow cuts the ray, and so does the shadow of the ozone's upper edge: there the
+    // sunlight's air has a kink.
+    airlight_LineSpan dusk = airlight_LineSpan(0.0, 0.0);
+    airlight_LineSpan dark = airlight_LineSpan(0.0, 0.0);
+#if AIRLIGHT_PLANET_SHADOW
+    float radius = atmosphere.ground_radius;
+    dark = airlight_shadow_span(radius, ray.air.perigee_altitude, ray.sun, 0.0);
+    dusk = dark;
+#if AIRLIGHT_OZONE != AIRLIGHT_OZONE_NONE
+    vec3 absorption = atmosphere.ozone_absorption;
+    if (absorption.x + absorption.y + absorption.z > 0.0) {
+        dusk = airlight_shadow_span(radius, ray.air.perigee_altitude, ray.sun, ray.layers.ozone_shells.z);
+    }
+#endif
+#endif
+
+    // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
+    bool dims = dusk.begin < dusk.end;
+    bool darkens = dark.begin < dark.end;
+    float extent = ray.air.extent;
+    float none = -1.0;
+    float begins[4] = float[4](0.0, dusk.begin - along, dark.end - along, dims ? dusk.end - along : 0.0);
+    float ends[4] = float[4](dims ? dusk.begin - along : none,
+                             dims ? (darkens ? dark.begin : dusk.end) - along : none,
+                             darkens ? dusk.end - along : none, extent);
+
+    // Down to the closest approach, then up from it. Falling, there is more air outwards from a node than
+    // outwards from the eye; climbing, less. The difference is the air between them.
+    bool falls = along < 0.0;
+    bool climbs = along + extent > 0.0;
+    airlight_RayPoint here = airlight_ray_point(atmosphere, ray, 0.0);
+    airlight_Column offset = airlight_column_sum(airlight_Column(0.0, 0.0, 0.0), -1.0, here.outwards);
+    float outwards = -1.0;
+    bool at_end = false;
+    airlight_Column swept = airlight_Column(0.0, 0.0, 0.0);  // by the nodes; in place of ozone the length
+    vec3 radiance = vec3(0.0, 0.0, 0.0);
+    for (int leg = 0; leg < 2; ++leg) {
+        float leg_begin = leg == 1 && falls ? -along : 0.0;
+        float leg_end = leg == 0 && climbs ? -along : extent;
+        if (leg == 1 && climbs) {
+            if (falls) {
+                here = airlight_ray_point(atmosphere, ray, leg_begin);
+            }
+            offset = airlight_column_sum(offset, 2.0, here.outwards);
+            outwards = 1.0;
+        }
+        for (int i = 0; i < 4; ++i) {
+            float begin = max(begins[i], leg_begin);
+            float end = min(ends[i], leg_end);
+            if ((leg == 0 ? falls : climbs) && end > begin) {
+                if (i > 1 && darkens) {
+                    here = airlight_ray_point(atmosphere, ray, begin);
+                }
+                airlight_RayPoint low = here;
+                here = airlight_ray_point(atmosphere, ray, end);
+                airlight_RayPoint high = here;
+                if (leg == 0) {
+                    high = low;
+                    low = here;
+                }
+                at_end = i == 3 && (leg == 1 || !climbs);
+
+                float low_along = abs(along + (leg == 0 ? end : begin));
+                airlight_NodeMap map =
+                    airlight_piece_map(atmosphere, ray, low, high, low_along, end - begin, outwards);
+                for (int j = 0; j < AIRLIGHT_NODES; ++j) {
+                    airlight_Node node = airlight_node_at(map, airlight_gauss_position(j));
+                    float t = leg == 0 ? end - node.way : begin + node.way;
+                    float altitude = low.altitude + node.rise;
+                    airlight_Density density = airlight_layer_density(ray.layers, altitude);
+                    float share = airlight_gauss_weight(j) * node.stretch;
+                    swept = airlight_column_sum(swept, share,
+                                                airlight_Column(density.rayleigh, density.mie, 1.0));
+                    float lit = share * AIRLIGHT_VISIBILITY(direction * (ray.air.begin + t));
+                    radiance += lit * airlight_node_radiance(atmosphere, ray, offset, outwards, altitude,
+                                                             node.along, density);
+                }
+            }
+        }
+    }
+    if (!at_end) {
+        here = airlight_ray_point(atmosphere, ray, extent);
+    }
+    airlight_Column passed = airlight_column_sum(offset, -outwards, here.outwards);
+    // The difference of two columns outwards has no digits left for a short ray; its nodes' sum has.
+    if (extent < 0.01 * ray.layers.rayleigh_height && swept.ozone > 0.99 * extent) {
+        passed = airlight_Column(swept.rayleigh, swept.mie, passed.ozone);
+    }
+    vec3 depth =
+        max(airlight_column_optical_depth(atmosphere, passed), vec3(0.0, 0.0, 0.0));
+    vec3 transmittance = exp(-depth);
+    vec3 most = airlight_most_scattered(atmosphere, ray.sun.cos_theta, depth, transmittance);
+    return airlight_Scattered(min(radiance, most), transmittance);
 }
 
 // Sunlight scattered once into a view ray, by `steps` equal steps through the air.

@@ -17,12 +17,14 @@ struct airlight_ViewPath {
 // The stretch of a view ray inside the air, measured from where it starts: at the eye, or where
 // the ray enters the air. Distances from there keep digits that distances from a far eye lose.
 struct airlight_AirRay {
-    bool in_air;          // false when no part of the ray is inside the air
-    bool reaches_ground;  // true when the ground sphere stops the ray
-    float begin;          // [L] from the eye to the start of the stretch
-    float extent;         // [L] length of the stretch
-    float altitude;       // [L] of its start, in [0, top_altitude]
-    float along;          // [L] its start's position along the ray, from the closest approach to the centre
+    bool in_air;           // false when no part of the ray is inside the air
+    bool reaches_ground;   // true when the ground sphere stops the ray
+    float begin;           // [L] from the eye to the start of the stretch
+    float extent;          // [L] length of the stretch
+    float altitude;        // [L] of its start, in [0, top_altitude]
+    float along;           // [L] its start's position along the ray, from the closest approach to the centre
+    float perigee_radius;  // [L] of the line's closest approach to the centre, wherever on the line it is
+    float perigee_altitude;  // [L] the same, above the ground sphere
 };
 
 // Altitude after a distance along a ray that starts at `altitude`.
@@ -75,7 +77,7 @@ airlight_AirRay airlight_air_ray(airlight_Atmosphere atmosphere, airlight_Viewpo
     bool outside = eye_altitude > top;
     bool in_front = half_chord > 0.0 && eye_along < 0.0;
     if (outside && !in_front) {
-        return airlight_AirRay(false, false, 0.0, 0.0, 0.0, 0.0);
+        return airlight_AirRay(false, false, 0.0, 0.0, 0.0, 0.0, perigee_radius, -perigee_depth);
     }
     float begin = outside ? above_top / (half_chord - eye_along) : 0.0;
     float altitude = outside ? top : eye_altitude;
@@ -90,8 +92,10 @@ airlight_AirRay airlight_air_ray(airlight_Atmosphere atmosphere, airlight_Viewpo
         meets_ground ? ground_product / (airlight_safe_sqrt(ground_discriminant) - along) : exit_length;
     float surface_length = distance - begin;
     float length = max(min(min(exit_length, ground_length), surface_length), 0.0);
-    return airlight_AirRay(length > 0.0, meets_ground && ground_length <= surface_length, begin, length,
-                           altitude, along);
+    return airlight_AirRay(length > 0.0,  meets_ground && ground_length <= surface_length,
+                           begin,          length,
+                           altitude,       along,
+                           perigee_radius, -perigee_depth);
 }
 
 // Where a view ray is inside the air, and whether the ground sphere ends it.

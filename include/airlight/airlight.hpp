@@ -6,6 +6,8 @@
 
 #include <airlight/scene.hpp>
 
+#include <airlight/gauss.hpp>
+#include <airlight/node_map.hpp>
 #include <airlight/numeric.hpp>
 
 #include <airlight/chapman.hpp>
@@ -22,6 +24,10 @@
 #include <airlight/view_path.hpp>
 
 #include <airlight/column.hpp>
+#include <airlight/planet_shadow.hpp>
+
+#include <airlight/outward_column.hpp>
+#include <airlight/sun_column.hpp>
 
 #include <airlight/optical_depth.hpp>
 #include <airlight/transmittance.hpp>

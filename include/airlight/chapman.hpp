@@ -14,7 +14,7 @@ namespace airlight {
 /// Errors:   x < 0 is outside the fit; an x whose fifth power overflows gives NaN.
 /// Source:   rational fit of degrees 4 and 5, tests/data/scaled_erfc_fit.py.
 template <typename T>
-T scaled_erfc(T x) {
+inline T scaled_erfc(T x) {
     const T p2 = T(1.4982396857163418L) + x * (T(0.5057328013876545L) + x * T(0.0802671457609494L));
     const T p = T(1.7724539259492835L) + x * (T(2.3791069511441814L) + x * p2);
     const T q3 = T(1.5383162854428227L) + x * (T(0.5057339182244953L) + x * T(0.08026714236251309L));

@@ -4,6 +4,7 @@
 #include <airlight/chapman.hpp>
 #include <airlight/constants.hpp>
 #include <airlight/density.hpp>
+#include <airlight/gauss.hpp>
 #include <airlight/ray_sphere.hpp>
 #include <airlight/scene.hpp>
 #include <airlight/view_path.hpp>
@@ -17,6 +18,18 @@ struct Column {
     T mie;       ///< [L] of aerosol, 0 where the scene has none
     T ozone;     ///< [L] of the absorbing layer, 0 where the scene has none
 };
+
+/// One amount of air plus a multiple of another.
+///
+/// Units:    columns [L]; factor [1]; result [L].
+/// Domain:   every finite value.
+/// Accuracy: 2 roundoffs of the two terms.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+inline Column<T> column_sum(const Column<T>& a, T factor, const Column<T>& b) {
+    return Column<T>{a.rayleigh + factor * b.rayleigh, a.mie + factor * b.mie, a.ozone + factor * b.ozone};
+}
 
 /// The relative density [1] of each substance at one altitude.
 template <typename T>

@@ -25,6 +25,7 @@ struct DefaultScene {
     static constexpr int ozone = ozone_tent;                 ///< profile of the absorbing layer
     static constexpr int mie_phase = phase_cornette_shanks;  ///< phase function of the aerosol
     static constexpr bool planet_shadow = true;              ///< the ground sphere hides the sun
+    static constexpr int nodes = 8;  ///< per lit piece of a view ray: 4, 5, 6, 8, 10, 12, 16 or 24
 };
 
 /// Hook: the share of sunlight that reaches `position` (relative to the eye), in [0, 1].

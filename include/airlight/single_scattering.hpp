@@ -1,8 +1,11 @@
 #pragma once
 
+#include <airlight/gauss.hpp>
+#include <airlight/node_map.hpp>
 #include <airlight/phase.hpp>
+#include <airlight/planet_shadow.hpp>
+#include <airlight/sun_column.hpp>
 #include <airlight/transmittance.hpp>
-#include <airlight/view_path.hpp>
 
 namespace airlight {
 
@@ -29,6 +32,289 @@ T mie_phase(T cos_theta, T g) {
     } else {
         return cornette_shanks_phase(cos_theta, g);
     }
+}
+
+/// A view ray in the air with all that its nodes share.
+template <typename T>
+struct LitRay {
+    AirRay<T> air;            ///< its stretch in the air
+    SunOverLine<T> sun;       ///< the sun over it
+    Layers<T> layers;         ///< of the atmosphere
+    vec3<T> shells;           ///< [L] its shells_along
+    vec3<T> rayleigh_source;  ///< [1/(L sr)] scattered towards the eye by molecules of density 1
+    vec3<T> mie_source;       ///< [1/(L sr)] the same by the aerosol
+};
+
+/// A view ray made ready for its nodes.
+///
+/// Units:    those of single_scattering.
+/// Domain:   that of single_scattering.
+/// Accuracy: that of its parts.
+/// Errors:   none.
+/// Source:   air_ray, sun_over_line, layers_of, rayleigh_phase, mie_phase.
+template <typename T, typename Scene = DefaultScene>
+LitRay<T> lit_ray(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, const vec3<T>& direction,
+                  const vec3<T>& to_sun, T distance) {
+    const AirRay<T> air = air_ray(atmosphere, eye, direction, distance);
+    const SunOverLine<T> sun = sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
+    const Layers<T> layers = layers_of<T, Scene>(atmosphere);
+    vec3<T> shells = vec3<T>(T(0), T(0), T(0));
+    if constexpr (Scene::ozone == ozone_tent) {
+        shells = shells_along(layers, atmosphere.ground_radius, air.perigee_altitude);
+    }
+    const vec3<T> rayleigh_source = atmosphere.rayleigh_scattering * rayleigh_phase(sun.cos_theta);
+    vec3<T> mie_source = vec3<T>(T(0), T(0), T(0));
+    if constexpr (Scene::mie) {
+        mie_source = atmosphere.mie_scattering * mie_phase<T, Scene>(sun.cos_theta, atmosphere.mie_g);
+    }
+    return LitRay<T>{air, sun, layers, shells, rayleigh_source, mie_source};
+}
+
+/// A point of a view ray and the air there.
+template <typename T>
+struct RayPoint {
+    T altitude;          ///< [L]
+    Density<T> density;  ///< [1] of molecules and aerosol
+    Column<T> outwards;  ///< [L] of air from here on, away from the closest approach
+};
+
+/// The point of a view ray at a distance from the start of its stretch in the air.
+///
+/// Units:    t [L].
+/// Domain:   t from 0 to ray.air.extent.
+/// Accuracy: that of altitude_along_ray and column_outwards.
+/// Errors:   none.
+/// Source:   altitude_along_ray, column_outwards.
+template <typename T, typename Scene = DefaultScene>
+RayPoint<T> ray_point(const Atmosphere<T>& atmosphere, const LitRay<T>& ray, T t) {
+    const T altitude =
+        glm::max(altitude_along_ray(atmosphere.ground_radius, ray.air.altitude, ray.air.along, t), T(0));
+    const T radius = atmosphere.ground_radius + altitude;
+    const Density<T> density = layer_density<T, Scene>(ray.layers, altitude);
+    const LinePoint<T> point = line_point(altitude, radius, T(1) / radius, glm::abs(ray.air.along + t),
+                                          ray.air.perigee_radius, ray.air.perigee_altitude);
+    return RayPoint<T>{altitude, density,
+                       column_outwards<T, Scene>(atmosphere, ray.layers, point, ray.shells, density)};
+}
+
+/// The optical depth that the nodes follow: mostly red's, which is what is left of light that has come far.
+///
+/// Units:    column [L]; result [1].
+/// Domain:   every column.
+/// Accuracy: 6 ulp.
+/// Errors:   none.
+/// Source:   weights that served well in study/fit_nodes.
+template <typename T, typename Scene = DefaultScene>
+inline T guiding_depth(const Atmosphere<T>& atmosphere, const Column<T>& column) {
+    const vec3<T> depth = column_optical_depth<T, Scene>(atmosphere, column);
+    return T(0.75) * depth.x + T(0.25) * depth.y;
+}
+
+/// The node map of one piece of a view ray: how strongly light is lost towards the sun and towards the
+/// eye decides which end the nodes crowd at.
+///
+/// Units:    extent [L] of the piece; low_along [L] of its low end from the closest approach.
+/// Domain:   low and high are the piece's ends; outwards is 1 where the ray climbs, -1 where it falls.
+/// Accuracy: none, every map is exact.
+/// Errors:   none.
+/// Source:   docs/theory/nodes.md.
+template <typename T, typename Scene = DefaultScene>
+NodeMap<T> piece_map(const Atmosphere<T>& atmosphere, const LitRay<T>& ray, const RayPoint<T>& low,
+                     const RayPoint<T>& high, T low_along, T extent, T outwards) {
+    const NodeFit<T> fit = node_fit<T, Scene>();
+    const T low_radius = atmosphere.ground_radius + low.altitude;
+    const T high_radius = atmosphere.ground_radius + high.altitude;
+    const T rise = extent * (T(2) * low_along + extent) / (low_radius + high_radius);
+    const T height = glm::max(ray.layers.rayleigh_height, T(1e-6L) * rise);
+
+    const T sun_height = ray.sun.perigee_height + outwards * low_along * ray.sun.cos_theta;
+    const LinePoint<T> to_sun = line_towards_sun(low.altitude, low_radius, T(1) / low_radius, sun_height);
+    const Column<T> sunlit =
+        exponentials_to_sun<T, Scene>(ray.layers, to_sun, sun_height < T(0), low.density);
+    const T sun_depth = glm::min(guiding_depth<T, Scene>(atmosphere, sunlit), T(1e4L));
+    const T view_depth = guiding_depth<T, Scene>(atmosphere, column_sum(low.outwards, T(-1), high.outwards));
+    const T pulled = fit.sun * sun_depth * rise / (rise + height) - outwards * fit.view * view_depth;
+    return node_map(fit, low_radius, low_along, high_radius, rise, height, pulled);
+}
+
+/// Sunlight scattered towards the eye by a length of air at one node, dimmed on its way to the node and from
+/// there to the eye.
+///
+/// Units:    altitude and along [L] of the node, along never negative; result [1/(L sr)] per unit of solar
+///           irradiance above the air.
+/// Domain:   a node of the ray with its density; the column from the eye is offset - outwards times the
+///           node's.
+/// Accuracy: that of the columns.
+/// Errors:   none; ignores the ground.
+/// Source:   Beer's law.
+template <typename T, typename Scene = DefaultScene>
+inline vec3<T> node_radiance(const Atmosphere<T>& atmosphere, const LitRay<T>& ray, const Column<T>& offset,
+                             T outwards, T altitude, T along, const Density<T>& density) {
+    const T radius = atmosphere.ground_radius + altitude;
+    const T inverse_radius = T(1) / radius;
+    const LinePoint<T> on_ray =
+        line_point(altitude, radius, inverse_radius, along, ray.air.perigee_radius, ray.air.perigee_altitude);
+    const Column<T> beyond = column_outwards<T, Scene>(atmosphere, ray.layers, on_ray, ray.shells, density);
+    const T sun_height = ray.sun.perigee_height + outwards * along * ray.sun.cos_theta;
+    const LinePoint<T> to_sun = line_towards_sun(altitude, radius, inverse_radius, sun_height);
+    const Column<T> sunlit =
+        column_to_sun<T, Scene>(atmosphere, ray.layers, to_sun, sun_height < T(0), density);
+    const Column<T> passed = column_sum(column_sum(offset, -outwards, beyond), T(1), sunlit);
+    const vec3<T> depth = column_optical_depth<T, Scene>(atmosphere, passed);
+    vec3<T> source = ray.rayleigh_source * density.rayleigh;
+    if constexpr (Scene::mie) {
+        source += ray.mie_source * density.mie;
+    }
+    return source * glm::exp(-glm::max(depth, vec3<T>(T(0), T(0), T(0))));
+}
+
+/// The most that a ray can scatter towards the eye: all that it takes out of light, spread as the strongest
+/// phase function spreads it. Keeps absurdly thick or thin layers, which few nodes cannot follow, from
+/// making light.
+///
+///     1.01 max(p_R, p_M) (1 - T),   1 - T at most tau / (1 + tau / 2) where it would cancel
+///
+/// The hundredth is for the errors of depth and radiance: clear air may come that close to the bound.
+///
+/// Units:    cos_theta, depth and transmittance [1]; result [1/sr].
+/// Shape:    depth, transmittance and the result are spectra.
+/// Domain:   depth >= 0; transmittance = exp(-depth).
+/// Accuracy: 1 to 3 % above the bound.
+/// Errors:   none.
+/// Source:   conservation of energy; the fraction is the Pade approximant of 1 - exp(-x).
+template <typename T, typename Scene = DefaultScene>
+inline vec3<T> most_scattered(const Atmosphere<T>& atmosphere, T cos_theta, const vec3<T>& depth,
+                              const vec3<T>& transmittance) {
+    T strongest = rayleigh_phase(cos_theta);
+    if constexpr (Scene::mie) {
+        const vec3<T> aerosol = atmosphere.mie_scattering;
+        if (aerosol.x + aerosol.y + aerosol.z > T(0)) {
+            strongest = glm::max(strongest, mie_phase<T, Scene>(cos_theta, atmosphere.mie_g));
+        }
+    }
+    const vec3<T> thin = depth / (T(1) + T(0.5) * depth);
+    return T(1.01L) * strongest *
+           vec3<T>(depth.x < T(0.5) ? thin.x : T(1) - transmittance.x,
+                   depth.y < T(0.5) ? thin.y : T(1) - transmittance.y,
+                   depth.z < T(0.5) ? thin.z : T(1) - transmittance.z);
+}
+
+/// Sunlight scattered once into a view ray, without marching: Scene::nodes samples in each piece of the ray
+/// that is lit and on one side of its closest approach to the centre.
+///
+/// All air between the eye, a sample and the sun comes in closed form, and the samples lie where the
+/// light comes from, so that few are enough.
+///
+/// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result per
+///           unit of solar irradiance above the air, radiance [1/sr].
+/// Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none;
+///           visibility in [0, 1].
+/// Accuracy: by Scene::nodes, see docs/trade.md; with 8 nodes and no ozone 3e-4 of the luminance on Earth,
+///           with ozone 1e-3 by day and 3e-3 at twilight.
+/// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
+/// Source:   docs/theory/nodes.md.
+template <typename T, typename Scene = DefaultScene, typename Visibility = AlwaysLit>
+Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye,
+                               const vec3<T>& direction, const vec3<T>& to_sun, T distance,
+                               const Visibility& visibility = Visibility{}) {
+    const LitRay<T> ray = lit_ray<T, Scene>(atmosphere, eye, direction, to_sun, distance);
+    if (!ray.air.in_air) {
+        return Scattered<T>{vec3<T>(T(0), T(0), T(0)), vec3<T>(T(1), T(1), T(1))};
+    }
+    const T along = ray.air.along;
+
+    // The planet's shadow cuts the ray, and so does the shadow of the ozone's upper edge: there the
+    // sunlight's air has a kink.
+    LineSpan<T> dusk = LineSpan<T>{T(0), T(0)};
+    LineSpan<T> dark = LineSpan<T>{T(0), T(0)};
+    if constexpr (Scene::planet_shadow) {
+        const T radius = atmosphere.ground_radius;
+        dark = shadow_span(radius, ray.air.perigee_altitude, ray.sun, T(0));
+        dusk = dark;
+        if constexpr (Scene::ozone != ozone_none) {
+            const vec3<T> absorption = atmosphere.ozone_absorption;
+            if (absorption.x + absorption.y + absorption.z > T(0)) {
+                dusk = shadow_span(radius, ray.air.perigee_altitude, ray.sun, ray.layers.ozone_shells.z);
+            }
+        }
+    }
+
+    // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
+    const bool dims = dusk.begin < dusk.end;
+    const bool darkens = dark.begin < dark.end;
+    const T extent = ray.air.extent;
+    const T none = T(-1);
+    const T begins[4] = {T(0), dusk.begin - along, dark.end - along, dims ? dusk.end - along : T(0)};
+    const T ends[4] = {dims ? dusk.begin - along : none,
+                       dims ? (darkens ? dark.begin : dusk.end) - along : none,
+                       darkens ? dusk.end - along : none, extent};
+
+    // Down to the closest approach, then up from it. Falling, there is more air outwards from a node than
+    // outwards from the eye; climbing, less. The difference is the air between them.
+    const bool falls = along < T(0);
+    const bool climbs = along + extent > T(0);
+    RayPoint<T> here = ray_point<T, Scene>(atmosphere, ray, T(0));
+    Column<T> offset = column_sum(Column<T>{T(0), T(0), T(0)}, T(-1), here.outwards);
+    T outwards = T(-1);
+    bool at_end = false;
+    Column<T> swept = Column<T>{T(0), T(0), T(0)};  // by the nodes; in place of ozone the length
+    vec3<T> radiance = vec3<T>(T(0), T(0), T(0));
+    for (int leg = 0; leg < 2; ++leg) {
+        const T leg_begin = leg == 1 && falls ? -along : T(0);
+        const T leg_end = leg == 0 && climbs ? -along : extent;
+        if (leg == 1 && climbs) {
+            if (falls) {
+                here = ray_point<T, Scene>(atmosphere, ray, leg_begin);
+            }
+            offset = column_sum(offset, T(2), here.outwards);
+            outwards = T(1);
+        }
+        for (int i = 0; i < 4; ++i) {
+            const T begin = glm::max(begins[i], leg_begin);
+            const T end = glm::min(ends[i], leg_end);
+            if ((leg == 0 ? falls : climbs) && end > begin) {
+                if (i > 1 && darkens) {
+                    here = ray_point<T, Scene>(atmosphere, ray, begin);
+                }
+                RayPoint<T> low = here;
+                here = ray_point<T, Scene>(atmosphere, ray, end);
+                RayPoint<T> high = here;
+                if (leg == 0) {
+                    high = low;
+                    low = here;
+                }
+                at_end = i == 3 && (leg == 1 || !climbs);
+
+                const T low_along = glm::abs(along + (leg == 0 ? end : begin));
+                const NodeMap<T> map =
+                    piece_map<T, Scene>(atmosphere, ray, low, high, low_along, end - begin, outwards);
+                for (int j = 0; j < Scene::nodes; ++j) {
+                    const Node<T> node = node_at(map, gauss_position<T, Scene>(j));
+                    const T t = leg == 0 ? end - node.way : begin + node.way;
+                    const T altitude = low.altitude + node.rise;
+                    const Density<T> density = layer_density<T, Scene>(ray.layers, altitude);
+                    const T share = gauss_weight<T, Scene>(j) * node.stretch;
+                    swept = column_sum(swept, share, Column<T>{density.rayleigh, density.mie, T(1)});
+                    const T lit = share * visibility(direction * (ray.air.begin + t));
+                    radiance += lit * node_radiance<T, Scene>(atmosphere, ray, offset, outwards, altitude,
+                                                              node.along, density);
+                }
+            }
+        }
+    }
+    if (!at_end) {
+        here = ray_point<T, Scene>(atmosphere, ray, extent);
+    }
+    Column<T> passed = column_sum(offset, -outwards, here.outwards);
+    // The difference of two columns outwards has no digits left for a short ray; its nodes' sum has.
+    if (extent < T(0.01L) * ray.layers.rayleigh_height && swept.ozone > T(0.99L) * extent) {
+        passed = Column<T>{swept.rayleigh, swept.mie, passed.ozone};
+    }
+    const vec3<T> depth =
+        glm::max(column_optical_depth<T, Scene>(atmosphere, passed), vec3<T>(T(0), T(0), T(0)));
+    const vec3<T> transmittance = glm::exp(-depth);
+    const vec3<T> most = most_scattered<T, Scene>(atmosphere, ray.sun.cos_theta, depth, transmittance);
+    return Scattered<T>{glm::min(radiance, most), transmittance};
 }
 
 /// Sunlight scattered once into a view ray, by `steps` equal steps through the air.

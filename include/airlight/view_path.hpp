@@ -26,6 +26,8 @@ struct AirRay {
     T extent;             ///< [L] length of the stretch
     T altitude;           ///< [L] of its start, in [0, top_altitude]
     T along;              ///< [L] its start's position along the ray, from the closest approach to the centre
+    T perigee_radius;     ///< [L] of the line's closest approach to the centre, wherever on the line it is
+    T perigee_altitude;   ///< [L] the same, above the ground sphere
 };
 
 /// Altitude after a distance along a ray that starts at `altitude`.
@@ -80,7 +82,7 @@ AirRay<T> air_ray(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, cons
     const bool outside = eye_altitude > top;
     const bool in_front = half_chord > T(0) && eye_along < T(0);
     if (outside && !in_front) {
-        return AirRay<T>{false, false, T(0), T(0), T(0), T(0)};
+        return AirRay<T>{false, false, T(0), T(0), T(0), T(0), perigee_radius, -perigee_depth};
     }
     const T begin = outside ? above_top / (half_chord - eye_along) : T(0);
     const T altitude = outside ? top : eye_altitude;
@@ -95,8 +97,10 @@ AirRay<T> air_ray(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, cons
         meets_ground ? ground_product / (safe_sqrt(ground_discriminant) - along) : exit_length;
     const T surface_length = distance - begin;
     const T length = glm::max(glm::min(glm::min(exit_length, ground_length), surface_length), T(0));
-    return AirRay<T>{length > T(0), meets_ground && ground_length <= surface_length, begin, length, altitude,
-                     along};
+    return AirRay<T>{length > T(0),  meets_ground && ground_length <= surface_length,
+                     begin,          length,
+                     altitude,       along,
+                     perigee_radius, -perigee_depth};
 }
 
 /// Where a view ray is inside the air, and whether the ground sphere ends it.

@@ -63,9 +63,11 @@ struct RowResult {
 
 struct Settings {
     std::uint64_t seed = 20220613;
-    double share = 1;         ///< of each row's number of inputs
-    bool stop_early = false;  ///< after the first scene that fails
-    bool webgl = false;       ///< GLSL ES 3.00, once
+    double share = 1;  ///< of each row's number of inputs
+    /// After the first scene that fails; no run without `precise`, no counts of nodes for what passes them
+    /// on.
+    bool stop_early = false;
+    bool webgl = false;  ///< GLSL ES 3.00, once
     /// llvmpipe: + - * / sqrt exact, built-ins as measured. Otherwise the GLSL specification's table.
     bool software_gl = true;
 };

@@ -57,6 +57,8 @@ struct Row {
     Tolerance tolerance = Tolerance::to_the_bit;
     std::size_t count = 16384;
     std::string note;              ///< stated beside the row, in the report too
+    double most_undecided = 0.25;  ///< share of inputs that hardware's rounding may leave undecided
+    double most_unbounded = 0.01;  ///< share of numbers that may have no bound
     std::string input_signature;   ///< one letter per float: f, i, b
     std::string result_signature;  ///< likewise
     std::function<std::vector<float>(Draw&)> draw;
@@ -186,6 +188,13 @@ class RowBuilder {
         RowBuilder out = *this;
         out.row_.note = text;
         return out;
+    }
+    /// For a function whose end points meet more often than others': shares that may be left out, and why.
+    RowBuilder left_out(double undecided, double unbounded, const std::string& why) const {
+        RowBuilder out = *this;
+        out.row_.most_undecided = undecided;
+        out.row_.most_unbounded = unbounded;
+        return out.note(why);
     }
     bool to_the_bit() const {
         return enter(Tolerance::to_the_bit);

@@ -17,12 +17,14 @@ namespace parity {
 using airlight_test::Fog;
 using airlight_test::HenyeyGreenstein;
 using airlight_test::Lorentzian;
+using airlight_test::Nodes;
 using airlight_test::NoMie;
 using airlight_test::NoOzone;
 using airlight_test::NoShadow;
 
 using SceneTypes =
-    std::tuple<airlight::DefaultScene, NoMie, NoOzone, Lorentzian, HenyeyGreenstein, Fog, NoShadow>;
+    std::tuple<airlight::DefaultScene, NoMie, NoOzone, Lorentzian, HenyeyGreenstein, Fog, NoShadow, Nodes<3>,
+               Nodes<4>, Nodes<5>, Nodes<6>, Nodes<10>, Nodes<12>, Nodes<16>, Nodes<24>>;
 
 /// One define of the shader: macro and value. Values at their defaults are not listed.
 struct SceneDefine {
@@ -46,6 +48,14 @@ inline const std::array<SceneName, std::tuple_size_v<SceneTypes>>& scene_names()
         SceneName{"Henyey-Greenstein aerosol", {{"AIRLIGHT_MIE_PHASE", "AIRLIGHT_PHASE_HENYEY_GREENSTEIN"}}},
         SceneName{"fog", {{"AIRLIGHT_MIE_PHASE", "AIRLIGHT_PHASE_FOG"}}, true},
         SceneName{"no planet shadow", {{"AIRLIGHT_PLANET_SHADOW", "0"}}},
+        SceneName{"3 nodes", {{"AIRLIGHT_NODES", "3"}}},
+        SceneName{"4 nodes", {{"AIRLIGHT_NODES", "4"}}},
+        SceneName{"5 nodes", {{"AIRLIGHT_NODES", "5"}}},
+        SceneName{"6 nodes", {{"AIRLIGHT_NODES", "6"}}},
+        SceneName{"10 nodes", {{"AIRLIGHT_NODES", "10"}}},
+        SceneName{"12 nodes", {{"AIRLIGHT_NODES", "12"}}},
+        SceneName{"16 nodes", {{"AIRLIGHT_NODES", "16"}}},
+        SceneName{"24 nodes", {{"AIRLIGHT_NODES", "24"}}},
     };
     return names;
 }

@@ -31,5 +31,10 @@ struct Bare : NoMie {
     static constexpr int ozone = airlight::ozone_none;
     static constexpr bool planet_shadow = false;
 };
+/// More or fewer nodes than by default; 3 is no rule of Gauss and gets the midpoint rule.
+template <int Count>
+struct Nodes : airlight::DefaultScene {
+    static constexpr int nodes = Count;
+};
 
 }  // namespace airlight_test

@@ -9,11 +9,12 @@ struct Dry : airlight::DefaultScene {
 };
 }  // namespace
 
-TEST_CASE("the default scene has aerosol, a tent of ozone and the planet's shadow") {
+TEST_CASE("the default scene has aerosol, a tent of ozone, the planet's shadow and eight nodes") {
     CHECK(airlight::DefaultScene::mie);
     CHECK(airlight::DefaultScene::ozone == airlight::ozone_tent);
     CHECK(airlight::DefaultScene::mie_phase == airlight::phase_cornette_shanks);
     CHECK(airlight::DefaultScene::planet_shadow);
+    CHECK(airlight::DefaultScene::nodes == 8);
 }
 
 TEST_CASE("a derived scene changes one term and keeps the others") {

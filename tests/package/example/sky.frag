@@ -10,8 +10,8 @@ out vec4 pixel;
 
 void main() {
     airlight_Viewpoint eye = airlight_Viewpoint(altitude, up);
-    airlight_Scattered sky = airlight_single_scattering_marched(airlight_earth(), eye, normalize(view), to_sun,
-                                                                airlight_no_surface(), 64);
+    airlight_Scattered sky = airlight_single_scattering(airlight_earth(), eye, normalize(view), to_sun,
+                                                        airlight_no_surface());
     vec3 radiance = airlight_compose(vec3(0.0), sky, vec3(20.0));  // nothing behind the air; the sun's irradiance
     pixel = vec4(airlight_srgb_from_linear(airlight_exposed(radiance, 1.0)), 1.0);
 }

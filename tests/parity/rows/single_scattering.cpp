@@ -15,19 +15,151 @@ static const bool mie_phase_row =
         })
         .within_bound();
 
+/// Atmosphere, eye, direction, sun, distance.
+static auto view(Draw& draw) {
+    const auto atmosphere = draw.atmosphere();
+    const auto eye = draw.viewpoint(atmosphere);
+    const auto direction = draw.view(atmosphere, eye);
+    // Anywhere in the sky, straight up, straight down, along the view ray and against it.
+    const int sun = draw.one_of({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4});
+    const auto to_sun =
+        sun == 0 ? draw.direction_at(eye.up, static_cast<double>(draw.cosine()))
+                 : (sun == 1 ? eye.up : (sun == 2 ? -eye.up : (sun == 3 ? direction : -direction)));
+    return std::make_tuple(atmosphere, eye, direction, to_sun, draw.distance(atmosphere));
+}
+
+static const bool lit_ray_row = row("lit_ray")
+                                    .inputs(view)
+                                    .cpu([](auto run, const auto& atmosphere, const auto& eye,
+                                            const auto& direction, const auto& to_sun, auto distance) {
+                                        using R = decltype(run);
+                                        return airlight::lit_ray<typename R::T, typename R::Scene>(
+                                            atmosphere, eye, direction, to_sun, distance);
+                                    })
+                                    .within_bound();
+
+/// Atmosphere, a ray that is in its air, a distance along it.
+static auto point_of_ray(Draw& draw) {
+    const auto inputs = view(draw);
+    auto ray = std::apply([](const auto&... x) { return airlight::lit_ray<float>(x...); }, inputs);
+    if (!ray.air.in_air) {
+        const auto& [atmosphere, eye, direction, to_sun, distance] = inputs;
+        const airlight::Viewpoint<float> on_ground{0.0F, eye.up};
+        ray = airlight::lit_ray<float>(atmosphere, on_ground, eye.up, to_sun, airlight::no_surface<float>());
+    }
+    return std::make_tuple(std::get<0>(inputs), ray, ray.air.extent * draw.number(0.01F, 1.0F));
+}
+
+static const bool ray_point_row =
+    row("ray_point")
+        .inputs(point_of_ray)
+        .cpu([](auto run, const auto& atmosphere, const auto& ray, auto t) {
+            using R = decltype(run);
+            return airlight::ray_point<typename R::T, typename R::Scene>(atmosphere, ray, t);
+        })
+        .within_bound();
+
+static const bool guiding_depth_row =
+    row("guiding_depth")
+        .inputs([](Draw& draw) {
+            const auto atmosphere = draw.atmosphere();
+            const float rayleigh = draw.magnitude(1.0F, 1e6F, {0.0F});
+            const float mie = draw.magnitude(1.0F, 1e6F, {0.0F});
+            return std::make_tuple(
+                atmosphere, airlight::Column<float>{rayleigh, mie, draw.magnitude(1.0F, 1e6F, {0.0F})});
+        })
+        .cpu([](auto run, const auto& atmosphere, const auto& column) {
+            using R = decltype(run);
+            return airlight::guiding_depth<typename R::T, typename R::Scene>(atmosphere, column);
+        })
+        .to_the_bit();
+
+static const bool piece_map_row =
+    row("piece_map")
+        .inputs([](Draw& draw) {
+            const auto [atmosphere, ray, t] = point_of_ray(draw);
+            // The piece from the ray's start, or from its closest approach, to t.
+            const float turn = glm::clamp(-ray.air.along, 0.0F, ray.air.extent);
+            const float begin = t > turn ? turn : 0.0F;
+            const auto from = airlight::ray_point(atmosphere, ray, begin);
+            const auto to = airlight::ray_point(atmosphere, ray, t);
+            const bool climbs = begin >= turn;
+            const float low_along = glm::abs(ray.air.along + (climbs ? begin : t));
+            return std::make_tuple(atmosphere, ray, climbs ? from : to, climbs ? to : from, low_along,
+                                   t - begin, climbs ? 1.0F : -1.0F);
+        })
+        .left_out(
+            0.3, 0.05,
+            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
+            "points where rounding decides how long the ray or its shadow is")
+        .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& low, const auto& high,
+                auto low_along, auto extent, auto outwards) {
+            using R = decltype(run);
+            return airlight::piece_map<typename R::T, typename R::Scene>(atmosphere, ray, low, high,
+                                                                         low_along, extent, outwards);
+        })
+        .within_bound();
+
+static const bool node_radiance_row =
+    row("node_radiance")
+        .inputs([](Draw& draw) {
+            const auto [atmosphere, ray, t] = point_of_ray(draw);
+            const auto point = airlight::ray_point(atmosphere, ray, t);
+            const auto start = airlight::ray_point(atmosphere, ray, 0.0F);
+            const float outwards = ray.air.along + t < 0.0F ? -1.0F : 1.0F;
+            const auto offset =
+                airlight::column_sum(airlight::Column<float>{0.0F, 0.0F, 0.0F}, outwards, start.outwards);
+            return std::make_tuple(atmosphere, ray, offset, outwards, point.altitude,
+                                   glm::abs(ray.air.along + t), point.density);
+        })
+        .left_out(
+            0.3, 0.05,
+            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
+            "points where rounding decides how long the ray or its shadow is")
+        .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& offset, auto outwards,
+                auto altitude, auto along, const auto& density) {
+            using R = decltype(run);
+            return airlight::node_radiance<typename R::T, typename R::Scene>(
+                atmosphere, ray, offset, outwards, altitude, along, density);
+        })
+        .within_bound();
+
+static const bool most_scattered_row =
+    row("most_scattered")
+        .inputs([](Draw& draw) {
+            const auto atmosphere = draw.atmosphere();
+            const float cos_theta = draw.cosine();
+            const auto depth = draw.spectrum(1e-6F, 1e3F);
+            return std::make_tuple(atmosphere, cos_theta, depth, glm::exp(-depth));
+        })
+        .cpu([](auto run, const auto& atmosphere, auto cos_theta, const auto& depth,
+                const auto& transmittance) {
+            using R = decltype(run);
+            return airlight::most_scattered<typename R::T, typename R::Scene>(atmosphere, cos_theta, depth,
+                                                                              transmittance);
+        })
+        .within_bound();
+
+static const bool single_scattering_row =
+    row("single_scattering")
+        .inputs(view)
+        .count(4096)
+        .left_out(
+            0.3, 0.05,
+            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
+            "points where rounding decides how long the ray or its shadow is")
+        .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
+                auto distance) {
+            using R = decltype(run);
+            return airlight::single_scattering<typename R::T, typename R::Scene>(
+                atmosphere, eye, direction, to_sun, distance, run.visibility);
+        })
+        .within_bound();
+
 static const bool single_scattering_marched_row =
     row("single_scattering_marched")
         .inputs([](Draw& draw) {
-            const auto atmosphere = draw.atmosphere();
-            const auto eye = draw.viewpoint(atmosphere);
-            const auto direction = draw.view(atmosphere, eye);
-            // Anywhere in the sky, straight up, straight down, along the view ray and against it.
-            const int sun = draw.one_of({0, 0, 0, 0, 1, 2, 3, 4});
-            const auto to_sun =
-                sun == 0 ? draw.direction_at(eye.up, static_cast<double>(draw.cosine()))
-                         : (sun == 1 ? eye.up : (sun == 2 ? -eye.up : (sun == 3 ? direction : -direction)));
-            return std::make_tuple(atmosphere, eye, direction, to_sun, draw.distance(atmosphere),
-                                   draw.one_of({0, 1, 5, 16}));
+            return std::tuple_cat(view(draw), std::make_tuple(draw.one_of({0, 1, 5, 16})));
         })
         .count(4096)
         .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,

@@ -1,0 +1,100 @@
+#pragma once
+
+// Views of the sky for tests of single scattering: eye, direction, sun, and hooks that keep books.
+
+#include <cmath>
+#include <vector>
+
+#include <airlight/airlight.hpp>
+
+#include "samplers.hpp"
+#include "table.hpp"
+
+namespace airlight_test {
+
+using airlight::Atmosphere;
+using airlight::no_surface;
+using airlight::vec3;
+using airlight::Viewpoint;
+
+// Share of sunlight, the same everywhere.
+struct Shaded {
+    double share;
+    template <typename T>
+    T operator()(const vec3<T>&) const {
+        return T(share);
+    }
+};
+
+// Lit before `distance` from the eye, or behind it.
+struct HalfLit {
+    double distance;
+    bool near;
+    template <typename T>
+    T operator()(const vec3<T>& position) const {
+        return (glm::dot(position, position) < T(distance * distance)) == near ? T(1) : T(0);
+    }
+};
+
+// Keeps the positions it is asked for.
+template <typename T>
+struct Recorder {
+    std::vector<vec3<T>>* positions;
+    T operator()(const vec3<T>& position) const {
+        positions->push_back(position);
+        return T(1);
+    }
+};
+
+template <typename T>
+struct View {
+    Viewpoint<T> eye;
+    vec3<T> direction;
+    vec3<T> to_sun;
+    T distance;
+};
+
+template <typename T>
+vec3<T> slope(double elevation_degrees, double azimuth_degrees = 0.0) {
+    const double e = elevation_degrees * 0.017453292519943295;
+    const double a = azimuth_degrees * 0.017453292519943295;
+    return vec3<T>(T(std::cos(e) * std::cos(a)), T(std::cos(e) * std::sin(a)), T(std::sin(e)));
+}
+
+template <typename T>
+Viewpoint<T> standing(T altitude) {
+    return Viewpoint<T>{altitude, vec3<T>(T(0), T(0), T(1))};
+}
+
+template <typename T>
+View<T> random_view(Random& random) {
+    View<T> view;
+    view.eye = Viewpoint<T>{T(random.log_uniform(1, 1e6)), random.direction<T>()};
+    view.direction = random.direction<T>();
+    view.to_sun = random.direction<T>();
+    view.distance = random.below(2) == 0 ? no_surface<T>() : T(random.log_uniform(10, 1e6));
+    return view;
+}
+
+// The air of the reference table: coefficients that float holds exactly.
+template <typename T>
+Atmosphere<T> table_air() {
+    Atmosphere<T> planet = airlight::earth<T>();
+    planet.rayleigh_scattering = vec3<T>(vec3<float>(5.802e-6f, 13.558e-6f, 33.1e-6f));
+    planet.mie_scattering = vec3<T>(vec3<float>(3.996e-6f));
+    planet.mie_absorption = vec3<T>(vec3<float>(0.444e-6f));
+    planet.ozone_absorption = vec3<T>(vec3<float>(0.65e-6f, 1.881e-6f, 0.085e-6f));
+    planet.mie_g = T(0.8f);
+    return planet;
+}
+
+template <typename T>
+View<T> table_view(const Row& row) {
+    const vec3<T> direction = vec3<T>(row.input<T>("dx"), row.input<T>("dy"), row.input<T>("dz"));
+    const vec3<T> to_sun = vec3<T>(row.input<T>("sx"), row.input<T>("sy"), row.input<T>("sz"));
+    return View<T>{standing(row.input<T>("altitude")), direction / std::sqrt(glm::dot(direction, direction)),
+                   to_sun / std::sqrt(glm::dot(to_sun, to_sun)),
+                   row.text("distance") == "none" ? no_surface<T>() : row.input<T>("distance")};
+}
+
+}  // namespace airlight_test
