@@ -23,7 +23,7 @@ struct Frame {
     float disc_inside;       ///< sine of the angle to the sun's centre up to which a pixel is all disc
     float disc_outside;      ///< sine of the angle from which on it is none
     float disc_solid_angle;  ///< [sr]
-    // Samples per ray.
+    bool marched;  ///< air by single_scattering_marched, in so many steps per ray; else by single_scattering
     int steps;
     int sky_steps;
 };

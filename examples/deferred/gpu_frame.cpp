@@ -79,6 +79,7 @@ class Uniforms {
         set(name + ".disc_inside", f.disc_inside);
         set(name + ".disc_outside", f.disc_outside);
         set(name + ".disc_solid_angle", f.disc_solid_angle);
+        set(name + ".marched", f.marched ? 1 : 0);
         set(name + ".steps", f.steps);
         set(name + ".sky_steps", f.sky_steps);
     }

@@ -116,8 +116,8 @@ void run(const Options& options) {
     std::vector<Shot> shots;
     for (const Camera& camera : options.cameras) {
         for (const double elevation : options.sun_elevations) {
-            const Picturing picturing{options.width,       options.height, elevation,
-                                      options.sun_azimuth, options.steps,  options.sky_steps};
+            const Picturing picturing{options.width,   options.height, elevation,        options.sun_azimuth,
+                                      options.marched, options.steps,  options.sky_steps};
             shots.push_back(
                 {picture_name(camera, elevation), make_view(camera, picturing, ground_radius, terrain)});
         }

@@ -88,6 +88,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     std::optional<double> heading;
     std::optional<double> pitch;
     std::optional<double> fov;
+    std::string method = "nodes";
     Options options{};
     options.sun_azimuth = 250;
     options.steps = 40;
@@ -108,9 +109,14 @@ std::optional<Options> parse_options(int count, char** arguments) {
                    "Sun above the horizontal under the camera [degrees], one or several; 20 if not given");
     app.add_option("--sun-azimuth", options.sun_azimuth,
                    "Sun clockwise from north [degrees]; 250 if not given");
-    app.add_option("--steps", options.steps, "Samples of the air along a view ray; 40 if not given");
+    app.add_option(
+           "--method", method,
+           "Light of the air: nodes, a few samples where the light is, or marched, by even steps; nodes "
+           "if not given")
+        ->check(CLI::IsMember({"nodes", "marched"}));
+    app.add_option("--steps", options.steps, "Even steps along a view ray when marched; 40 if not given");
     app.add_option("--sky-steps", options.sky_steps,
-                   "Samples of the sky above a surface, for its skylight; 12 if not given");
+                   "Even steps up from a surface, for its skylight, when marched; 12 if not given");
     app.add_option("--size", size, "Picture size, WxH; 640x360 if not given");
     app.add_option("--preset", preset, "Atmosphere, one of " + names(worlds()) + "; earth if not given");
     app.add_option("--heightmap", options.height_map,
@@ -166,6 +172,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     }
     options.sun_elevations = sun_elevations;
     require_range("--sun-azimuth", options.sun_azimuth, -360, 360);
+    options.marched = method == "marched";
     require_range("--steps", options.steps, 1, 10000);
     require_range("--sky-steps", options.sky_steps, 1, 10000);
     options.step_east = steps_of_map[0];

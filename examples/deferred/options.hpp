@@ -16,6 +16,7 @@ struct Options {
     double sun_azimuth;                  ///< [degrees]
     int width;
     int height;
+    bool marched;
     int steps;
     int sky_steps;
     World world;

@@ -47,6 +47,18 @@ inline float sun_glint(const Surface& surface, const vec3& normal, const vec3& t
     return distribution * masking * mirrored_share(airlight::dot_product(to_sun, half_way));
 }
 
+/// The air's light, by the frame's method.
+template <typename Scene>
+airlight::Scattered<float> air_light(const airlight::Atmosphere<float>& atmosphere, const Frame& frame,
+                                     const airlight::Viewpoint<float>& eye, const vec3& direction,
+                                     float distance, int steps) {
+    if (frame.marched) {
+        return airlight::single_scattering_marched<float, Scene>(atmosphere, eye, direction, frame.to_sun,
+                                                                 distance, steps);
+    }
+    return airlight::single_scattering<float, Scene>(atmosphere, eye, direction, frame.to_sun, distance);
+}
+
 /// Light that leaves the surface for the eye, by unit solar irradiance above the air [1/sr].
 template <typename Scene>
 vec3 surface_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame& frame,
@@ -61,8 +73,7 @@ vec3 surface_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame
 
     // The whole sky stands in for one look along the normal.
     const vec3 sky =
-        airlight::single_scattering_marched<float, Scene>(atmosphere, here, normal, frame.to_sun,
-                                                          airlight::no_surface<float>(), frame.sky_steps)
+        air_light<Scene>(atmosphere, frame, here, normal, airlight::no_surface<float>(), frame.sky_steps)
             .radiance;
     vec3 radiance = surface.albedo * (sunlight / airlight::pi<float> + sky);
     if (surface.roughness < 1) {
@@ -105,8 +116,8 @@ vec3 pixel_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame& 
     } else {
         behind = vec3(sun_disc(frame, direction));
     }
-    const airlight::Scattered<float> scattered = airlight::single_scattering_marched<float, Scene>(
-        atmosphere, eye, direction, frame.to_sun, distance, frame.steps);
+    const airlight::Scattered<float> scattered =
+        air_light<Scene>(atmosphere, frame, eye, direction, distance, frame.steps);
     return airlight::compose(behind * frame.solar_irradiance, scattered, frame.solar_irradiance);
 }
 

@@ -62,6 +62,7 @@ View make_view(const Camera& camera, const Picturing& picturing, double ground_r
     frame.disc_inside = float(std::sin(sun_radius - half_edge));
     frame.disc_outside = float(std::sin(sun_radius + half_edge));
     frame.disc_solid_angle = float(airlight::pi<double> * sun_radius * sun_radius);
+    frame.marched = picturing.marched;
     frame.steps = picturing.steps;
     frame.sky_steps = picturing.sky_steps;
     return View{place.position, altitude, frame};

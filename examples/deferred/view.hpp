@@ -29,6 +29,7 @@ struct Picturing {
     int height;
     double sun_elevation;  ///< [degrees] above the horizontal under the camera
     double sun_azimuth;    ///< [degrees] clockwise from north
+    bool marched;          ///< the air in steps, not by nodes
     int steps;             ///< of the air between the eye and the surface
     int sky_steps;         ///< of the sky above a surface, for its skylight
 };

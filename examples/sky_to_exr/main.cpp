@@ -29,7 +29,7 @@ static vec3 panorama_radiance(const airlight::Atmosphere<float>& atmosphere,
                  airlight::transmittance_to_space(atmosphere, 0.0f, mu_s);
     }
     const airlight::Scattered<float> air =
-        airlight::single_scattering_marched(atmosphere, eye, direction, to_sun, anywhere, 64);
+        airlight::single_scattering(atmosphere, eye, direction, to_sun, anywhere);
     return airlight::compose(ground, air, vec3(1));
 }
 

@@ -12,6 +12,7 @@ struct Frame {
     float disc_inside;
     float disc_outside;
     float disc_solid_angle;
+    bool marched;
     int steps;
     int sky_steps;
 };

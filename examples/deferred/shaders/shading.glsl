@@ -36,6 +36,14 @@ float sun_glint(Surface surface, vec3 normal, vec3 to_eye, vec3 to_sun) {
     return distribution * masking * mirrored_share(airlight_dot_product(to_sun, half_way));
 }
 
+airlight_Scattered air_light(airlight_Atmosphere atmosphere, Frame frame, airlight_Viewpoint eye, vec3 direction,
+                             float distance, int steps) {
+    if (frame.marched) {
+        return airlight_single_scattering_marched(atmosphere, eye, direction, frame.to_sun, distance, steps);
+    }
+    return airlight_single_scattering(atmosphere, eye, direction, frame.to_sun, distance);
+}
+
 vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface, vec3 position,
                       vec3 direction) {
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
@@ -45,9 +53,8 @@ vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surfa
     vec3 sunlight = airlight_transmittance_to_space(atmosphere, here.altitude, mu_s) *
                     max(airlight_dot_product(normal, frame.to_sun), 0.0);
 
-    vec3 sky = airlight_single_scattering_marched(atmosphere, here, normal, frame.to_sun,
-                                                  airlight_no_surface(), frame.sky_steps)
-                   .radiance;
+    vec3 sky =
+        air_light(atmosphere, frame, here, normal, airlight_no_surface(), frame.sky_steps).radiance;
     vec3 radiance = surface.albedo * (sunlight / airlight_pi + sky);
     if (surface.roughness < 1.0) {
         float polish = min(1.5 * (1.0 - surface.roughness), 1.0);
@@ -84,7 +91,6 @@ vec3 pixel_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface
     } else {
         behind = vec3(sun_disc(frame, direction));
     }
-    airlight_Scattered scattered = airlight_single_scattering_marched(
-        atmosphere, eye, direction, frame.to_sun, distance, frame.steps);
+    airlight_Scattered scattered = air_light(atmosphere, frame, eye, direction, distance, frame.steps);
     return airlight_compose(behind * frame.solar_irradiance, scattered, frame.solar_irradiance);
 }
