@@ -5,7 +5,6 @@
 #include <ctime>
 #include <fstream>
 
-#include "counting.hpp"
 #include "support/error.hpp"
 
 namespace study {
@@ -30,25 +29,22 @@ class Batch {
     Batch() : rays_(worlds().size()) {
         for (const View& view : suite()) {
             rays_[view.world].push_back(converted<float>(view.ray));
-            ++count_;
         }
     }
 
-    double nanoseconds(const Setting& setting) {
-        const std::vector<Place<float>>& all = places<float>();
+    /// Per ray of one world. Repeats until the clock can tell.
+    double nanoseconds(const Setting& setting, std::size_t world) {
+        const Place<float>& place = places<float>()[world];
         const double begin = processor_seconds();
         int repeats = 0;
         double seconds = 0;
-        // Short enough to change little of the machine's mood, long enough for the clock.
-        while (seconds < 0.02) {
-            for (std::size_t world = 0; world < all.size(); ++world) {
-                const auto light = evaluated(setting, all[world], rays_[world]);
-                sum_ += light.back().radiance.x;  // so that nothing can be left out
-            }
+        while (seconds < 0.004) {
+            const auto light = evaluated(setting, place, rays_[world]);
+            sum_ += light.back().radiance.x;  // so that nothing can be left out
             ++repeats;
             seconds = processor_seconds() - begin;
         }
-        return 1e9 * seconds / (repeats * static_cast<double>(count_));
+        return 1e9 * seconds / (repeats * static_cast<double>(rays_[world].size()));
     }
 
     float sum() const {
@@ -57,9 +53,22 @@ class Batch {
 
   private:
     std::vector<std::vector<Ray<float>>> rays_;
-    std::size_t count_ = 0;
     float sum_ = 0;
 };
+
+/// The times of one setting, one entry a round: the mean of the worlds (all have as many rays), and each.
+struct Times {
+    std::vector<double> mean;
+    std::vector<std::vector<double>> world;
+};
+
+std::vector<double> ratios(const std::vector<double>& times, const std::vector<double>& unit) {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        out.push_back(times[i] / unit[i]);
+    }
+    return out;
+}
 
 }  // namespace
 
@@ -68,38 +77,45 @@ std::vector<Cost> costs(const std::vector<Setting>& settings, int rounds, const 
     if (found == settings.end()) {
         throw support::Error("the settings lack the one that times are compared with");
     }
-    const auto unit = static_cast<std::size_t>(found - settings.begin());
     const std::size_t all = settings.size() * static_cast<std::size_t>(rounds + 1);
     std::size_t done = 0;
 
     const std::vector<View> views = suite();
-    std::vector<Cost> out;
+    std::vector<Operations> counted;
     for (const Setting& setting : settings) {
-        const Operations ops = operations(setting, views);
-        out.push_back({ops.exponentials, ops.roots, ops.divisions, 0, 0});
+        counted.push_back(operations(setting, views));
         progress(++done, all);
     }
 
     Batch batch;
-    std::vector<std::vector<double>> times(settings.size());
-    std::vector<std::vector<double>> ratios(settings.size());
+    const std::size_t worlds_count = worlds().size();
+    std::vector<Times> times(settings.size());
+    for (Times& t : times) {
+        t.world.resize(worlds_count);
+    }
     for (int round = 0; round < rounds; ++round) {
-        std::vector<double> now;
-        for (const Setting& setting : settings) {
-            now.push_back(batch.nanoseconds(setting));
-            progress(++done, all);
-        }
         for (std::size_t i = 0; i < settings.size(); ++i) {
-            times[i].push_back(now[i]);
-            ratios[i].push_back(now[i] / now[unit]);
+            double sum = 0;
+            for (std::size_t world = 0; world < worlds_count; ++world) {
+                times[i].world[world].push_back(batch.nanoseconds(settings[i], world));
+                sum += times[i].world[world].back();
+            }
+            times[i].mean.push_back(sum / static_cast<double>(worlds_count));
+            progress(++done, all);
         }
     }
     if (!std::isfinite(batch.sum())) {
         throw support::Error("a method gave a radiance that is no number; run study --quick to see which");
     }
+
+    const Times& unit = times[static_cast<std::size_t>(found - settings.begin())];
+    std::vector<Cost> out;
     for (std::size_t i = 0; i < settings.size(); ++i) {
-        out[i].nanoseconds = median(times[i]);
-        out[i].ratio = median(ratios[i]);
+        Cost cost{counted[i], median(times[i].mean), median(ratios(times[i].mean, unit.mean)), {}};
+        for (std::size_t world = 0; world < worlds_count; ++world) {
+            cost.world_ratios.push_back(median(ratios(times[i].world[world], unit.world[world])));
+        }
+        out.push_back(cost);
     }
     return out;
 }

@@ -4,17 +4,17 @@
 
 #include <vector>
 
+#include "counting.hpp"
 #include "errors.hpp"
 #include "methods.hpp"
 
 namespace study {
 
 struct Cost {
-    double exponentials;  ///< exp and pow per ray, the mean over the suite
-    double roots;         ///< sqrt per ray
-    double divisions;     ///< per ray
-    double nanoseconds;   ///< per ray in float, the median over the rounds
-    double ratio;         ///< of that to the yardstick's, the median over the rounds
+    Operations operations;             ///< per ray, the mean over the suite
+    double nanoseconds;                ///< per ray in float, the median over the rounds
+    double ratio;                      ///< of that to the yardstick's, the median over the rounds
+    std::vector<double> world_ratios;  ///< the same with each world's rays alone
 };
 
 /// The cost of each setting over the suite's rays: operations counted by a scalar that counts, time in float

@@ -81,8 +81,8 @@ class Evaluation {
     template <int Nodes>
     std::vector<Scattered> with_nodes() const {
         return each([&](const Ray<T>& r) {
-            return airlight::single_scattering_marched<T, SceneOf<Ozone, Nodes>>(
-                place_.air, r.eye, r.direction, r.to_sun, r.distance, Nodes);
+            return airlight::single_scattering<T, SceneOf<Ozone, Nodes>>(place_.air, r.eye, r.direction,
+                                                                         r.to_sun, r.distance);
         });
     }
 

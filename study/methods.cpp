@@ -66,7 +66,7 @@ const std::vector<Setting>& settings() {
                 out.push_back({method, n, 0});
             }
         };
-        // add(Method::nodes, {4, 5, 6, 8, 10, 12, 16, 24});
+        add(Method::nodes, {4, 5, 6, 8, 10, 12, 16, 24});
         add(Method::marched, {8, 16, 32, 64, 128, 256, 512});
         for (const auto& [view, sun] : {std::pair(12, 4), {16, 6}, {32, 8}, {64, 16}, {256, 64}}) {
             out.push_back({Method::leenman, view, sun});

@@ -85,14 +85,32 @@ def label_ends(axes, ends):
                       annotation_clip=False)
 
 
-def error_over_cost(folder):
-    cost = {(r["method"], r["setting"]): float(r["ratio"]) for r in read(folder, "cost.csv")}
+def gpu_cycles(folder):
+    """Inverse throughput of each setting as a multiple of Leenman's 16x6; CS562's samples are steps and one more."""
+    path = os.path.join(folder, "..", "..", "bench", "shader_cost")
+    if not os.path.exists(os.path.join(path, "results.csv")):
+        return {}
+    cycles = {}
+    for row in read(path, "results.csv"):
+        if row["flags"] == "default" and row["method"] in STYLE:
+            setting = row["setting"]
+            if row["method"] == "cs562":
+                setting = str(int(setting) - 1)
+            if row["method"] == "double_loop":
+                setting = "{0}x({0}+{0})".format(setting)
+            cycles[row["method"], setting] = float(row["inverse_throughput_cycles"])
+    unit = cycles.get(("leenman", "16x6"))
+    return {key: value / unit for key, value in cycles.items()} if unit else {}
+
+
+def error_over_cost(folder, cost, what, name):
     errors = {(r["method"], r["setting"]): r for r in read(folder, "errors.csv") if r["views"] == "suite"}
+    cost = {key: value for key, value in cost.items() if key in errors}
     figure, both = plt.subplots(1, 2, figsize=(13, 5.6))
     figure.subplots_adjust(left=0.06, right=0.87, wspace=0.62, bottom=0.11, top=0.92)
     for axes, column, title in zip(both, ("p95", "max"), ("95 % of the views are better", "the worst view")):
         ends = []
-        for method, (name, colour) in STYLE.items():
+        for method, (method_title, colour) in STYLE.items():
             rows = sorted((c, s) for (m, s), c in cost.items() if m == method)
             if not rows:
                 continue
@@ -100,18 +118,22 @@ def error_over_cost(folder):
             ys = [100 * float(errors[method, s][column]) for _, s in rows]
             bold = method == "single_scattering"
             axes.plot(xs, ys, "o-", color=colour, lw=2.6 if bold else 1.4, ms=6 if bold else 4, zorder=3 if bold else 2)
-            for x, y, (_, setting) in zip(xs, ys, rows):
-                if bold or method == "leenman" and x < xs[-1]:
-                    first = x == xs[0] and not bold
-                    axes.annotate(setting, (x, y), (-5, -3) if first else (4, 5), textcoords="offset points",
-                                  ha="right" if first else "left", fontsize=7, color=colour)
-            ends.append((xs[-1], ys[-1], name, colour))
-        axes.set(xscale="log", yscale="log", xlabel="CPU time, Leenman's 16x6 = 1", ylabel="error of the luminance, %")
+            for i, (x, y, (_, setting)) in enumerate(zip(xs, ys, rows)):
+                if not bold and (method != "leenman" or i == len(xs) - 1):
+                    continue
+                # Left of a falling line; above it where it lies flat.
+                flat = bold and i > 0 and ys[i - 1] < 1.4 * y
+                left = not flat and (bold or i == 0)
+                place = {"xytext": (2, 5), "ha": "left"} if flat else {"xytext": (-6, -4), "ha": "right"}
+                place = place if flat or left else {"xytext": (4, 5), "ha": "left"}
+                axes.annotate(setting, (x, y), textcoords="offset points", fontsize=8 if bold else 7, color=colour, **place)
+            ends.append((xs[-1], ys[-1], method_title, colour))
+        axes.set(xscale="log", yscale="log", xlabel=what, ylabel="error of the luminance, %")
         axes.set_title(title, fontsize=10)
         bare(axes)
         figure.canvas.draw()
         label_ends(axes, ends)
-    save(figure, folder, "error_over_cost.png")
+    save(figure, folder, name)
 
 
 def convergence(folder):
@@ -192,7 +214,11 @@ def main():
     for name in ("errors.csv", "cost.csv", "views.csv"):
         if not os.path.exists(os.path.join(folder, name)):
             sys.exit("plots.py: %s is not there; run study --all first" % os.path.join(folder, name))
-    error_over_cost(folder)
+    cpu = {(r["method"], r["setting"]): float(r["ratio"]) for r in read(folder, "cost.csv")}
+    error_over_cost(folder, cpu, "CPU time, Leenman's 16x6 = 1", "error_over_cpu.png")
+    gpu = gpu_cycles(folder)
+    if gpu:
+        error_over_cost(folder, gpu, "GPU cycles, Leenman's 16x6 = 1", "error_over_gpu.png")
     convergence(folder)
     error_per_view(folder)
 

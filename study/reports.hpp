@@ -14,7 +14,7 @@ Csv error_table(const std::vector<Setting>& settings, const Judged& suite, const
 /// views.csv: each view of the suite, its true luminance, and some settings' errors in it.
 Csv view_table(const Judged& suite);
 
-/// classes.csv: the node method's errors by sun elevation, ozone and place of the eye.
+/// classes.csv: the node method's errors by place of the eye, kind of air and sun elevation.
 Csv class_table(const std::vector<Setting>& settings, const Judged& views);
 
 /// quick.csv: each setting's errors over a tenth of the suite, with all digits that say something.

@@ -11,6 +11,7 @@
 #include "../adaptive.hpp"
 #include "../counting.hpp"
 #include "../csv.hpp"
+#include "../pages.hpp"
 #include "../reports.hpp"
 #include "../texture.hpp"
 #include "../truth.hpp"
@@ -113,6 +114,40 @@ TEST_CASE("random rays are the same every time, of unit length, and more of them
     }
 }
 
+TEST_CASE("with many steps every baseline comes near the truth, so all of them mean the same radiance") {
+    std::vector<study::View> morning;
+    for (const study::View& view : study::suite()) {
+        if (view.name == "200 m; sun 45; view 20 / 0") {
+            morning.push_back(view);
+        }
+    }
+    REQUIRE(morning.size() == study::worlds().size());
+    const study::Judged judged = study::judged(morning, [](std::size_t, std::size_t) {});
+    using study::Method;
+    struct Limit {
+        study::Setting setting;
+        double error;
+    };
+    const Limit limits[] = {
+        {{Method::marched, 4000, 0}, 1e-4},  // second order: (15 km of air / 4000 steps / 1.2 km)^2 is 1e-5
+        {{Method::double_loop, 400, 0}, 2e-3},  // second order, steps ten times as long
+        {{Method::leenman, 2000, 400}, 5e-3},   // first order: each step dims its own light by its whole air
+        {{Method::cs562, 4000, 0}, 2e-2},  // first order, a sample too many, and a table that has one too
+        {{Method::hillaire, 2000, 0},
+         0.15},                           // his table takes the far end of each of 40 steps: 12 % of the air
+        {{Method::hdrp, 2000, 0}, 2e-3},  // his formula's 0.5 % of a small optical depth
+        {{Method::schueler, 2000, 0}, 5e-2},  // his formula's 20 % of the same
+    };
+    for (const Limit& limit : limits) {
+        const std::vector<double> errors = study::errors<double>(limit.setting, judged);
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            CAPTURE(study::name_of(limit.setting.method));
+            CAPTURE(study::worlds()[judged.views[i].world].name);
+            CHECK(errors[i] <= limit.error);
+        }
+    }
+}
+
 TEST_CASE("a march of n steps through air without a layer takes the exponentials that it is written with") {
     // Leenman, n by m: two densities at each of n + n m places, three channels at each of n and of the whole.
     std::vector<study::View> views;
@@ -155,6 +190,30 @@ TEST_CASE("a quick table that differs from the recorded one is told, in both dir
     fresh.rows.pop_back();
     CHECK(study::differences(fresh, recorded).size() == 2);
     CHECK(study::differences(recorded, fresh).size() == 2);
+}
+
+TEST_CASE("figures have two digits that count") {
+    CHECK(study::percent(0.9854) == "99");
+    CHECK(study::percent(1.234) == "123");
+    CHECK(study::percent(0.0123) == "1.2");
+    CHECK(study::percent(0.000314) == "0.031");
+    CHECK(study::percent(0.0) == "0");
+}
+
+TEST_CASE("a page's figures stand between markers, and its text stays") {
+    const std::map<std::string, std::string> blocks = {{"a", "one\n"}, {"b", "two\n"}};
+    const std::string page =
+        "x\n<!-- study: a -->\nold\n<!-- study: end -->\ny <!-- study: b -->\n<!-- study: end -->z";
+    const std::string full = study::filled(page, blocks);
+    CHECK(full ==
+          "x\n<!-- study: a -->\n\none\n\n<!-- study: end -->\ny <!-- study: b -->\n\ntwo\n\n<!-- study: end "
+          "-->z");
+    CHECK(study::filled(full, blocks) == full);
+    CHECK(study::filled("no markers", blocks) == "no markers");
+    CHECK_THROWS_AS(study::filled("<!-- study: c -->\n<!-- study: end -->", blocks), support::Error);
+    CHECK_THROWS_AS(study::filled("<!-- study: a -->\n", blocks), support::Error);
+    CHECK_THROWS_AS(study::filled("<!-- study: a -->\n<!-- study: b -->\n<!-- study: end -->", blocks),
+                    support::Error);
 }
 
 TEST_CASE("a CSV comes back as it was written, and a torn one is refused") {
