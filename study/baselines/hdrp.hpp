@@ -59,6 +59,7 @@ Scattered<T> hdrp(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, cons
     if (!march.in_air) {
         return nothing_scattered<T>();
     }
+    const Layers<T> layers = layers_of<T, Scene>(atmosphere);
     const T ground = atmosphere.ground_radius;
     const T step = march.extent / T(steps);
     Sums<T> sums = Sums<T>{Column<T>{T(0), T(0), T(0)}, vec3<T>(T(0), T(0), T(0)), vec3<T>(T(0), T(0), T(0))};
@@ -76,7 +77,7 @@ Scattered<T> hdrp(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, cons
                 mie = hdrp_column(ground, altitude, atmosphere.mie_scale_height, mu_s);
             }
             const Column<T> towards_sun =
-                Column<T>{rayleigh, mie, layer_to_sun<T, Scene>(atmosphere, altitude, mu_s)};
+                Column<T>{rayleigh, mie, layer_to_sun<T, Scene>(atmosphere, layers, ground + altitude, mu_s)};
             sums = after_step<T, Scene>(atmosphere, sums, density, towards_sun, step);
         }
     }

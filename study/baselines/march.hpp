@@ -122,17 +122,18 @@ Sums<T> after_step(const Atmosphere<T>& atmosphere, const Sums<T>& sums, const D
 /// The absorbing layer between a point and the sun, for the methods that have Chapman's function but no
 /// formula for such a layer: airlight's own, so that what is left of their error is theirs.
 ///
-/// Units:    altitude and result [L]; mu_s [1].
-/// Domain:   altitude in [0, top_altitude].
-/// Accuracy: that of ozone_column.
+/// Units:    radius of the point and result [L]; mu_s [1].
+/// Domain:   a point inside the air.
+/// Accuracy: that of ozone_to_sun.
 /// Errors:   none.
-/// Source:   ozone_column.
+/// Source:   ozone_to_sun.
 template <typename T, typename Scene = DefaultScene>
-T layer_to_sun(const Atmosphere<T>& atmosphere, T altitude, T mu_s) {
+T layer_to_sun(const Atmosphere<T>& atmosphere, const Layers<T>& layers, T radius, T mu_s) {
     T layer = T(0);
     if constexpr (Scene::ozone != ozone_none) {
-        const AirPath<T> path = air_path(atmosphere, altitude, mu_s, no_surface<T>());
-        layer = ozone_column<T, Scene>(atmosphere, path);
+        const T altitude = radius - atmosphere.ground_radius;
+        const LinePoint<T> point = line_towards_sun(altitude, radius, T(1) / radius, radius * mu_s);
+        layer = ozone_to_sun<T, Scene>(atmosphere, layers, point, mu_s < T(0));
     }
     return layer;
 }

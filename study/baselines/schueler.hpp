@@ -42,6 +42,7 @@ Scattered<T> schueler(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, 
     if (!march.in_air) {
         return nothing_scattered<T>();
     }
+    const Layers<T> layers = layers_of<T, Scene>(atmosphere);
     const T ground = atmosphere.ground_radius;
     const T step = march.extent / T(steps);
     Sums<T> sums = Sums<T>{Column<T>{T(0), T(0), T(0)}, vec3<T>(T(0), T(0), T(0)), vec3<T>(T(0), T(0), T(0))};
@@ -57,7 +58,7 @@ Scattered<T> schueler(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, 
             mie = h_m * schueler_chapman(ground / h_m, altitude / h_m, mu_s);
         }
         const Column<T> towards_sun =
-            Column<T>{rayleigh, mie, layer_to_sun<T, Scene>(atmosphere, altitude, mu_s)};
+            Column<T>{rayleigh, mie, layer_to_sun<T, Scene>(atmosphere, layers, ground + altitude, mu_s)};
         const Density<T> density = relative_density<T, Scene>(atmosphere, altitude);
         sums = after_step<T, Scene>(atmosphere, sums, density, towards_sun, step);
     }
