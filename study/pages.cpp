@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 
 #include "methods.hpp"
 #include "support/error.hpp"
@@ -17,9 +19,12 @@ std::string two_digits(double number) {
     if (!(std::abs(number) > 0) || !std::isfinite(number)) {
         return number == 0 ? "0" : none;
     }
-    const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(number))));
+    // Rounded first: 0.996 is 1.0, not 1.00.
     char text[64];
-    std::snprintf(text, sizeof text, "%.*f", std::max(0, 1 - magnitude), number);
+    std::snprintf(text, sizeof text, "%.1e", number);
+    const double rounded = std::strtod(text, nullptr);
+    const int magnitude = std::atoi(std::strchr(text, 'e') + 1);
+    std::snprintf(text, sizeof text, "%.*f", std::max(0, 1 - magnitude), magnitude < 2 ? rounded : number);
     return text;
 }
 
@@ -252,7 +257,8 @@ std::string trade(const Tables& tables) {
     add(yardstick(), "Leenman's shader, 16x6");
     add({Method::hillaire, 30, 0}, "Hillaire's march, 30 steps, 256x64 table");
     add({Method::double_loop, 64, 0}, "double loop, 64x(64+64)");
-    return table({"", "95 % of views within, %", "worst view, %", "CPU time", "GPU cycles"}, rows);
+    return table({"nodes or method", "95 % of views within, %", "worst view, %", "CPU time", "GPU cycles"},
+                 rows);
 }
 
 }  // namespace

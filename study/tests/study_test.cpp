@@ -197,6 +197,8 @@ TEST_CASE("figures have two digits that count") {
     CHECK(study::percent(1.234) == "123");
     CHECK(study::percent(0.0123) == "1.2");
     CHECK(study::percent(0.000314) == "0.031");
+    CHECK(study::percent(0.00996) == "1.0");
+    CHECK(study::percent(0.0996) == "10");
     CHECK(study::percent(0.0) == "0");
 }
 
