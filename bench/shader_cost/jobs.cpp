@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "pieces.hpp"
 #include "support/error.hpp"
 #include "variants.hpp"
 
@@ -29,21 +30,20 @@ void add(const Library& library, const support::Function& function, const std::s
             0};
     if (has_pieces(function)) {
         job.piece_passes = passes_over_pieces;
-        job.pieces = 1;
+        job.pieces = mean_pieces(variant.flags);
     }
     out.push_back(std::move(job));
 }
 
-/// Every setting, and with each flag at each other value: the first setting, or where the method has a number
-/// of nodes each of them, because that is the choice that users have.
+/// Every setting, and with each flag at each other value: the first setting, of single_scattering each of
+/// them, because that is the choice that users have.
 void add_all(const Library& library, const support::Function& function, const std::string& method,
              const std::vector<bench::Variant>& settings, int degree, std::vector<Job>& out) {
-    const bool nodes = settings.size() > 1 && settings.front().counts.empty();
     for (const bench::Variant& setting : settings) {
         add(library, function, method, setting, degree, out);
     }
     for (const bench::Variant& setting : settings) {
-        if (nodes || &setting == &settings.front()) {
+        if (has_pieces(function) || &setting == &settings.front()) {
             for (const bench::Variant& variant : bench::flag_variants(library.manifest, function, setting)) {
                 add(library, function, method, variant, degree, out);
             }
