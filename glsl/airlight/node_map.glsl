@@ -4,6 +4,9 @@
 
 #include "airlight/scene.glsl"
 
+// What counts as 0 in a ratio that must not divide by it: of a piece too short for T's digits [1].
+const float airlight_smallest_share = 1e-20;
+
 // Numbers that shape node_map, fitted for a count of nodes [1].
 struct airlight_NodeFit {
     float evenness;  // how far from the closest approach the altitude starts to be linear in v
@@ -62,7 +65,7 @@ struct airlight_NodeMap {
 //
 // Units:    low_radius, low_along, high_radius, rise and height [L]; pulled [1], the optical depth
 //           that draws nodes upwards, negative for downwards.
-// Domain:   low_along >= 0; rise > 0, the altitude of the high end over the low one; height > 0.
+// Domain:   low_along >= 0; rise >= 0, the altitude of the high end over the low one; height > 0.
 // Accuracy: none, every map is a change of variable and exact.
 // Errors:   none.
 // Source:   Gauss-Legendre quadrature after a change of variable; docs/theory/nodes.md.
@@ -70,7 +73,8 @@ airlight_NodeMap airlight_node_map(airlight_NodeFit fit, float low_radius, float
                                    float rise, float height, float pulled) {
     float heights = rise / height;
     float start = low_along / sqrt(height * (low_radius + high_radius));
-    float linear = start / (start + fit.evenness * sqrt(heights / (1.0 + heights)));
+    float linear =
+        start / max(start + fit.evenness * sqrt(heights / (1.0 + heights)), airlight_smallest_share);
     float bend = heights / (heights + fit.heights);
     float pull = (1.0 + fit.pull * max(pulled, 0.0)) / (1.0 + fit.pull * max(-pulled, 0.0));
     float scale = rise * fit.heights / (heights + fit.heights);
@@ -101,7 +105,9 @@ airlight_Node airlight_node_at(airlight_NodeMap map, float u) {
     float rise = map.scale * v * slope * rise_share;
     float rise_per_v = map.scale * rise_share * (slope + curved + map.bend * v * slope * rise_share);
     float square = rise * (2.0 * map.low_radius + rise);
-    float along = sqrt(map.low_along * map.low_along + square);
+    // Never 0, not even where the rise is too small for T.
+    float along =
+        max(sqrt(map.low_along * map.low_along + square), airlight_smallest_share * map.low_radius);
     return airlight_Node(rise, along, square / (along + map.low_along),
                          (map.low_radius + rise) / along * rise_per_v * (map.pull * v_share * v_share));
 }

@@ -50,7 +50,9 @@ airlight_Layers airlight_layers_of(airlight_Atmosphere atmosphere) {
     float centre = atmosphere.ozone_altitude;
     float width = atmosphere.ozone_half_width;
     shells = vec3(centre - width, centre, centre + width);
-    bend = vec3(0.5, 0.5, 0.5) / (shells + atmosphere.ground_radius);
+    // A shell below the centre holds none of the layer; any curvature will do for it.
+    vec3 least = vec3(1e-3, 1e-3, 1e-3) * top_radius;
+    bend = vec3(0.5, 0.5, 0.5) / max(shells + atmosphere.ground_radius, least);
     inverse_width = width > 0.0 ? 1.0 / width : 0.0;
 #endif
     return airlight_Layers(rayleigh_height,

@@ -5,6 +5,10 @@
 
 namespace airlight {
 
+/// What counts as 0 in a ratio that must not divide by it: of a piece too short for T's digits [1].
+template <typename T>
+inline constexpr T smallest_share = T(1e-20L);
+
 /// Numbers that shape node_map, fitted for a count of nodes [1].
 template <typename T>
 struct NodeFit {
@@ -66,7 +70,7 @@ struct NodeMap {
 ///
 /// Units:    low_radius, low_along, high_radius, rise and height [L]; pulled [1], the optical depth
 ///           that draws nodes upwards, negative for downwards.
-/// Domain:   low_along >= 0; rise > 0, the altitude of the high end over the low one; height > 0.
+/// Domain:   low_along >= 0; rise >= 0, the altitude of the high end over the low one; height > 0.
 /// Accuracy: none, every map is a change of variable and exact.
 /// Errors:   none.
 /// Source:   Gauss-Legendre quadrature after a change of variable; docs/theory/nodes.md.
@@ -75,7 +79,8 @@ inline NodeMap<T> node_map(const NodeFit<T>& fit, T low_radius, T low_along, T h
                            T pulled) {
     const T heights = rise / height;
     const T start = low_along / glm::sqrt(height * (low_radius + high_radius));
-    const T linear = start / (start + fit.evenness * glm::sqrt(heights / (T(1) + heights)));
+    const T linear =
+        start / glm::max(start + fit.evenness * glm::sqrt(heights / (T(1) + heights)), smallest_share<T>);
     const T bend = heights / (heights + fit.heights);
     const T pull = (T(1) + fit.pull * glm::max(pulled, T(0))) / (T(1) + fit.pull * glm::max(-pulled, T(0)));
     const T scale = rise * fit.heights / (heights + fit.heights);
@@ -108,7 +113,9 @@ inline Node<T> node_at(const NodeMap<T>& map, T u) {
     const T rise = map.scale * v * slope * rise_share;
     const T rise_per_v = map.scale * rise_share * (slope + curved + map.bend * v * slope * rise_share);
     const T square = rise * (T(2) * map.low_radius + rise);
-    const T along = glm::sqrt(map.low_along * map.low_along + square);
+    // Never 0, not even where the rise is too small for T.
+    const T along =
+        glm::max(glm::sqrt(map.low_along * map.low_along + square), smallest_share<T> * map.low_radius);
     return Node<T>{rise, along, square / (along + map.low_along),
                    (map.low_radius + rise) / along * rise_per_v * (map.pull * v_share * v_share)};
 }

@@ -53,7 +53,9 @@ inline Layers<T> layers_of(const Atmosphere<T>& atmosphere) {
         const T centre = atmosphere.ozone_altitude;
         const T width = atmosphere.ozone_half_width;
         shells = vec3<T>(centre - width, centre, centre + width);
-        bend = vec3<T>(T(0.5), T(0.5), T(0.5)) / (shells + atmosphere.ground_radius);
+        // A shell below the centre holds none of the layer; any curvature will do for it.
+        const vec3<T> least = vec3<T>(T(1e-3L), T(1e-3L), T(1e-3L)) * top_radius;
+        bend = vec3<T>(T(0.5), T(0.5), T(0.5)) / glm::max(shells + atmosphere.ground_radius, least);
         inverse_width = width > T(0) ? T(1) / width : T(0);
     }
     return Layers<T>{rayleigh_height,

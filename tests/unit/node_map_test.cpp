@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <doctest/doctest.h>
 #include <airlight/gauss.hpp>
@@ -116,6 +117,22 @@ TEST_CASE("an optical depth draws the nodes towards the light") {
     CHECK(middle(0) < middle(5));
     CHECK(middle(5) < middle(500));
     CHECK(middle(500) < p.rise);
+}
+
+TEST_CASE_TEMPLATE("a piece at the closest approach whose rise is none in this type has finite nodes", T,
+                   float, double, long double) {
+    // Below the smallest normal number a rise loses its digits: 1e-42 m in float; and it may be none at all.
+    for (const T rise : {T(0), std::numeric_limits<T>::denorm_min(), std::numeric_limits<T>::min()}) {
+        const NodeMap<T> map = node_map(node_fit<T>(), T(7e7), T(0), T(7e7), rise, T(8000), T(0));
+        for (const T u : {T(0.02L), T(0.5L), T(0.98L)}) {
+            const Node<T> node = node_at(map, u);
+            CHECK(std::isfinite(node.rise));
+            CHECK(std::isfinite(node.along));
+            CHECK(std::isfinite(node.way));
+            CHECK(std::isfinite(node.stretch));
+            CHECK(node.stretch >= T(0));
+        }
+    }
 }
 
 TEST_CASE_TEMPLATE("every count of nodes has a fit", T, float, double) {

@@ -146,6 +146,23 @@ TEST_SUITE_END();
 
 TEST_SUITE_BEGIN("sun_column");
 
+TEST_CASE_TEMPLATE("an absorbing layer that reaches down to the planet's centre has a finite column", T,
+                   float, double, long double) {
+    Atmosphere<T> air = earth<T>();
+    air.ground_radius = T(1e6);
+    air.ozone_altitude = T(0);
+    air.ozone_half_width = T(1e6);  // the low edge lies at the centre, exactly
+    const Layers<T> layers = layers_of<T>(air);
+    for (const T perigee_altitude : {T(-1e6), T(-1000), T(0), T(1000)}) {
+        const vec3<T> shells = shells_along(layers, air.ground_radius, perigee_altitude);
+        for (const T along : {T(0), T(1e3), T(1e6)}) {
+            const T column = tent_outwards(layers, shells, along);
+            CHECK(std::isfinite(column));
+            CHECK(column >= T(0));
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("the air to the sun is that of column_to_space, where it ends at the top too", T, float,
                    double) {
     // Elek and Kmoch's air ends at 60 km, where 5e-4 of it are still above.
