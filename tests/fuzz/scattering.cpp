@@ -8,8 +8,16 @@ namespace {
 struct Check {
     template <typename T>
     void run(airlight_test::Verdict& all, airlight_fuzz::FuzzDraws& draw) const {
-        const airlight_test::Marched marched{1 + draw.below(8)};
-        airlight_test::check_any_view<T>(all, draw, marched);
+        switch (draw.below(4)) {
+            case 0:
+                return airlight_test::check_any_view<T>(all, draw, airlight_test::Marched{1 + draw.below(8)});
+            case 1:
+                return airlight_test::check_any_view<T>(all, draw, airlight_test::ByNodes<4>{});
+            case 2:
+                return airlight_test::check_any_view<T>(all, draw, airlight_test::ByNodes<24>{});
+            default:
+                return airlight_test::check_any_view<T>(all, draw, airlight_test::ByNodes<8>{});
+        }
     }
 };
 

@@ -48,8 +48,8 @@ void corner_views(const char* name, const Integrator& integrator) {
                 for (const vec3<T>& sun : {up, -up, vec3<T>(T(1), T(0), T(0)), vec3<T>(T(-1), T(0), T(0)),
                                            direction, -direction}) {
                     for (const T distance : {T(0), T(1e-6L), T(100), no_surface<T>()}) {
-                        check_view(all, integrator, air, Viewpoint<T>{altitude, up}, direction, sun,
-                                   distance);
+                        check_view(all, integrator, air, Viewpoint<T>{altitude, up}, direction, sun, distance,
+                                   T(0.5L));
                     }
                 }
             }
@@ -98,6 +98,22 @@ TEST_CASE_TEMPLATE("the march keeps its promises where eye, view and sun stand i
     corner_views<T>("the march", Marched{4});
 }
 
+TEST_CASE_TEMPLATE("nodes keep their promises for any view of any planet", T, float, double, long double) {
+    any_view<T>("4 nodes", ByNodes<4>{}, 12000);
+    any_view<T>("5 nodes", ByNodes<5>{}, 6000);
+    any_view<T>("6 nodes", ByNodes<6>{}, 6000);
+    any_view<T>("8 nodes", ByNodes<8>{}, 24000);
+    any_view<T>("10 nodes", ByNodes<10>{}, 6000);
+    any_view<T>("12 nodes", ByNodes<12>{}, 6000);
+    any_view<T>("16 nodes", ByNodes<16>{}, 6000);
+    any_view<T>("24 nodes", ByNodes<24>{}, 6000);
+}
+
+TEST_CASE_TEMPLATE("nodes keep their promises where eye, view and sun stand in the corners", T, float, double,
+                   long double) {
+    corner_views<T>("8 nodes", ByNodes<8>{});
+}
+
 TEST_CASE("sky and sun together light the ground with no more than the sun's light") {
     Atmosphere<double> flat = earth<double>();
     flat.ground_radius = 7e7;
@@ -108,9 +124,12 @@ TEST_CASE("sky and sun together light the ground with no more than the sun's lig
         for (const double mu_s : {1.0, 0.5, 0.1}) {
             CAPTURE(depth);
             CAPTURE(mu_s);
-            const double share = light_on_ground(Marched{400}, flat, mu_s);
-            CHECK(share >= 0.0);  // 0 below 1000 depths: exp(-1000) is none in double
-            CHECK(share < 1.0);
+            const double marched = light_on_ground(Marched{400}, flat, mu_s);
+            CHECK(marched >= 0.0);  // 0 below 1000 depths: exp(-1000) is none in double
+            CHECK(marched < 1.0);
+            const double by_nodes = light_on_ground(ByNodes<8>{}, flat, mu_s);
+            CHECK(by_nodes >= 0.0);
+            CHECK(by_nodes < 1.0);
         }
     }
 }
