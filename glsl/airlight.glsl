@@ -290,9 +290,9 @@ airlight_NodeFit airlight_node_fit() {
 #elif AIRLIGHT_NODES < 7
     return airlight_NodeFit(0.508, 1.341, 0.2887, 0.698, 0.834);
 #elif AIRLIGHT_NODES < 9
-    return airlight_NodeFit(0.744, 2.705, 0.0531, 0.651, 0.849);
+    return airlight_NodeFit(0.743, 2.632, 0.0706, 0.535, 0.608);
 #elif AIRLIGHT_NODES < 11
-    return airlight_NodeFit(0.705, 2.377, 0.0227, 1.719, 2.053);
+    return airlight_NodeFit(0.678, 2.169, 0.0201, 2.288, 2.808);
 #elif AIRLIGHT_NODES < 13
     return airlight_NodeFit(0.853, 3.739, 0.0879, 0.223, 2.348);
 #elif AIRLIGHT_NODES < 17
@@ -1782,24 +1782,26 @@ vec3 airlight_shells_along(airlight_Layers layers, float ground_radius, float pe
     return sqrt(max(over * sum, vec3(0.0, 0.0, 0.0)));
 }
 
-// The air of a tent on a line, from a point outwards.
+// The air of a tent on a line, from a point on.
 //
-// A tent is a second difference of ramps. A ramp is how deep the line lies below a shell, integrated:
+// A tent is a second difference of ramps. A ramp is how deep the line lies below a shell, integrated
+// from the point, or from where the line enters the shell, to where it leaves it:
 //
 //     integral (k - h) ds,   k - h = y / 2 r_k + (y / 2 r_k)^2 / 2 r_k + ...,   y = shell_along^2 - s^2
 //
-// Units:    shells [L] of shells_along; along [L] of the point; result [L].
-// Domain:   along >= 0.
+// Units:    shells [L] of shells_along; along [L] of the point from the closest approach, negative where
+//           that is still to come; result [L].
+// Domain:   every along.
 // Accuracy: 3e-5 of the largest column through the layer (measured: 2.4e-5 on Earth).
 // Errors:   none; a layer of zero width gives 0. Below the ground the tent goes on.
 // Source:   series of the shell's radius, integrated term by term.
-float airlight_tent_outwards(airlight_Layers layers, vec3 shells, float along) {
-    vec3 way = max(shells - along, vec3(0.0, 0.0, 0.0));
+float airlight_tent_beyond(airlight_Layers layers, vec3 shells, float along) {
+    vec3 from = clamp(vec3(along, along, along), -shells, shells);
+    vec3 way = shells - from;
     vec3 bent = way * layers.ozone_bend;
     float third = 0.333333333333333333333333333333333333;
-    vec3 order_1 = 2.0 * third * way + along;
-    vec3 order_2 =
-        way * (1.6 * third * way + 5.0 * third * along) + 4.0 * third * along * along;
+    vec3 order_1 = 2.0 * third * way + from;
+    vec3 order_2 = way * (1.6 * third * way + 5.0 * third * from) + 4.0 * third * from * from;
     vec3 ramps = way * bent * (order_1 + bent * layers.ozone_bend * order_2);
     return max(ramps.x - 2.0 * ramps.y + ramps.z, 0.0) * layers.ozone_inverse_width;
 }
@@ -1857,9 +1859,9 @@ float airlight_lorentzian_outwards(airlight_Atmosphere atmosphere, airlight_Laye
 //
 // Units:    density [1] at the point; shells [L] of shells_along; result [L].
 // Domain:   that of LinePoint.
-// Accuracy: that of exponential_outwards, tent_outwards and lorentzian_outwards.
+// Accuracy: that of exponential_outwards, tent_beyond and lorentzian_outwards.
 // Errors:   none.
-// Source:   exponential_outwards, tent_outwards, lorentzian_outwards.
+// Source:   exponential_outwards, tent_beyond, lorentzian_outwards.
 airlight_Column airlight_column_outwards(airlight_Atmosphere atmosphere, airlight_Layers layers,
                                          airlight_LinePoint point, vec3 shells, airlight_Density density) {
     float rayleigh =
@@ -1870,7 +1872,7 @@ airlight_Column airlight_column_outwards(airlight_Atmosphere atmosphere, airligh
 #endif
     float ozone = 0.0;
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
-    ozone = airlight_tent_outwards(layers, shells, point.along);
+    ozone = airlight_tent_beyond(layers, shells, point.along);
 #endif
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
     ozone = airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
@@ -1915,26 +1917,18 @@ airlight_Column airlight_exponentials_to_sun(airlight_Layers layers, airlight_Li
 //
 // Units:    result [L].
 // Domain:   that of exponentials_to_sun.
-// Accuracy: that of tent_outwards and lorentzian_outwards.
-// Errors:   none; without an absorbing layer 0.
-// Source:   tent_outwards, lorentzian_outwards.
+// Accuracy: that of tent_beyond and lorentzian_outwards.
+// Errors:   none; without an absorbing layer 0; a tent that reaches above the top of the air counts whole.
+// Source:   tent_beyond, lorentzian_outwards.
 float airlight_ozone_to_sun(airlight_Atmosphere atmosphere, airlight_Layers layers, airlight_LinePoint point,
                             bool sinks) {
     float air = 0.0;
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
-    if (!sinks && point.radius >= atmosphere.ground_radius + layers.ozone_shells.z) {
+    if (!sinks && point.altitude >= layers.ozone_shells.z) {
         return 0.0;
     }
     vec3 shells = airlight_shells_along(layers, atmosphere.ground_radius, point.perigee_altitude);
-    air = airlight_tent_outwards(layers, shells, point.along);
-    if (sinks) {
-        air = 2.0 * airlight_tent_outwards(layers, shells, 0.0) - air;
-    }
-    if (layers.ozone_shells.z > atmosphere.top_altitude) {
-        float top_along = airlight_safe_sqrt((layers.top_radius - point.perigee_radius) *
-                                             (layers.top_radius + point.perigee_radius));
-        air -= airlight_tent_outwards(layers, shells, top_along);
-    }
+    air = airlight_tent_beyond(layers, shells, sinks ? -point.along : point.along);
 #endif
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
     air = airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
@@ -2307,16 +2301,9 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
     }
 #endif
 #endif
-
-    // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
     bool dims = dusk.begin < dusk.end;
     bool darkens = dark.begin < dark.end;
     float extent = ray.air.extent;
-    float none = -1.0;
-    float begins[4] = float[4](0.0, dusk.begin - along, dark.end - along, dims ? dusk.end - along : 0.0);
-    float ends[4] = float[4](dims ? dusk.begin - along : none,
-                             dims ? (darkens ? dark.begin : dusk.end) - along : none,
-                             darkens ? dusk.end - along : none, extent);
 
     // Down to the closest approach, then up from it. Falling, there is more air outwards from a node than
     // outwards from the eye; climbing, less. The difference is the air between them.
@@ -2339,9 +2326,14 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
             outwards = 1.0;
         }
         for (int i = 0; i < 4; ++i) {
-            float begin = max(begins[i], leg_begin);
-            float end = min(ends[i], leg_end);
-            if ((leg == 0 ? falls : climbs) && end > begin) {
+            // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
+            bool there = i == 3 || (dims && (i != 2 || darkens));
+            float piece_begin = i == 0 ? along : (i == 1 ? dusk.begin : (i == 2 ? dark.end : dusk.end));
+            float piece_end =
+                i == 0 ? dusk.begin : (i == 1 && darkens ? dark.begin : (i == 3 ? extent + along : dusk.end));
+            float begin = max(i == 3 && !dims ? 0.0 : piece_begin - along, leg_begin);
+            float end = i == 3 ? leg_end : min(piece_end - along, leg_end);
+            if (there && (leg == 0 ? falls : climbs) && end > begin) {
                 if (i > 1 && darkens) {
                     here = airlight_ray_point(atmosphere, ray, begin);
                 }

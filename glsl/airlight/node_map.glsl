@@ -31,9 +31,9 @@ airlight_NodeFit airlight_node_fit() {
 #elif AIRLIGHT_NODES < 7
     return airlight_NodeFit(0.508, 1.341, 0.2887, 0.698, 0.834);
 #elif AIRLIGHT_NODES < 9
-    return airlight_NodeFit(0.744, 2.705, 0.0531, 0.651, 0.849);
+    return airlight_NodeFit(0.743, 2.632, 0.0706, 0.535, 0.608);
 #elif AIRLIGHT_NODES < 11
-    return airlight_NodeFit(0.705, 2.377, 0.0227, 1.719, 2.053);
+    return airlight_NodeFit(0.678, 2.169, 0.0201, 2.288, 2.808);
 #elif AIRLIGHT_NODES < 13
     return airlight_NodeFit(0.853, 3.739, 0.0879, 0.223, 2.348);
 #elif AIRLIGHT_NODES < 17

@@ -177,24 +177,26 @@ vec3 airlight_shells_along(airlight_Layers layers, float ground_radius, float pe
     return sqrt(max(over * sum, vec3(0.0, 0.0, 0.0)));
 }
 
-// The air of a tent on a line, from a point outwards.
+// The air of a tent on a line, from a point on.
 //
-// A tent is a second difference of ramps. A ramp is how deep the line lies below a shell, integrated:
+// A tent is a second difference of ramps. A ramp is how deep the line lies below a shell, integrated
+// from the point, or from where the line enters the shell, to where it leaves it:
 //
 //     integral (k - h) ds,   k - h = y / 2 r_k + (y / 2 r_k)^2 / 2 r_k + ...,   y = shell_along^2 - s^2
 //
-// Units:    shells [L] of shells_along; along [L] of the point; result [L].
-// Domain:   along >= 0.
+// Units:    shells [L] of shells_along; along [L] of the point from the closest approach, negative where
+//           that is still to come; result [L].
+// Domain:   every along.
 // Accuracy: 3e-5 of the largest column through the layer (measured: 2.4e-5 on Earth).
 // Errors:   none; a layer of zero width gives 0. Below the ground the tent goes on.
 // Source:   series of the shell's radius, integrated term by term.
-float airlight_tent_outwards(airlight_Layers layers, vec3 shells, float along) {
-    vec3 way = max(shells - along, vec3(0.0, 0.0, 0.0));
+float airlight_tent_beyond(airlight_Layers layers, vec3 shells, float along) {
+    vec3 from = clamp(vec3(along, along, along), -shells, shells);
+    vec3 way = shells - from;
     vec3 bent = way * layers.ozone_bend;
     float third = 0.333333333333333333333333333333333333;
-    vec3 order_1 = 2.0 * third * way + along;
-    vec3 order_2 =
-        way * (1.6 * third * way + 5.0 * third * along) + 4.0 * third * along * along;
+    vec3 order_1 = 2.0 * third * way + from;
+    vec3 order_2 = way * (1.6 * third * way + 5.0 * third * from) + 4.0 * third * from * from;
     vec3 ramps = way * bent * (order_1 + bent * layers.ozone_bend * order_2);
     return max(ramps.x - 2.0 * ramps.y + ramps.z, 0.0) * layers.ozone_inverse_width;
 }
@@ -252,9 +254,9 @@ float airlight_lorentzian_outwards(airlight_Atmosphere atmosphere, airlight_Laye
 //
 // Units:    density [1] at the point; shells [L] of shells_along; result [L].
 // Domain:   that of LinePoint.
-// Accuracy: that of exponential_outwards, tent_outwards and lorentzian_outwards.
+// Accuracy: that of exponential_outwards, tent_beyond and lorentzian_outwards.
 // Errors:   none.
-// Source:   exponential_outwards, tent_outwards, lorentzian_outwards.
+// Source:   exponential_outwards, tent_beyond, lorentzian_outwards.
 airlight_Column airlight_column_outwards(airlight_Atmosphere atmosphere, airlight_Layers layers,
                                          airlight_LinePoint point, vec3 shells, airlight_Density density) {
     float rayleigh =
@@ -265,7 +267,7 @@ airlight_Column airlight_column_outwards(airlight_Atmosphere atmosphere, airligh
 #endif
     float ozone = 0.0;
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
-    ozone = airlight_tent_outwards(layers, shells, point.along);
+    ozone = airlight_tent_beyond(layers, shells, point.along);
 #endif
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
     ozone = airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,

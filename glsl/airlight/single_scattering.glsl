@@ -236,16 +236,9 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
     }
 #endif
 #endif
-
-    // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
     bool dims = dusk.begin < dusk.end;
     bool darkens = dark.begin < dark.end;
     float extent = ray.air.extent;
-    float none = -1.0;
-    float begins[4] = float[4](0.0, dusk.begin - along, dark.end - along, dims ? dusk.end - along : 0.0);
-    float ends[4] = float[4](dims ? dusk.begin - along : none,
-                             dims ? (darkens ? dark.begin : dusk.end) - along : none,
-                             darkens ? dusk.end - along : none, extent);
 
     // Down to the closest approach, then up from it. Falling, there is more air outwards from a node than
     // outwards from the eye; climbing, less. The difference is the air between them.
@@ -268,9 +261,14 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
             outwards = 1.0;
         }
         for (int i = 0; i < 4; ++i) {
-            float begin = max(begins[i], leg_begin);
-            float end = min(ends[i], leg_end);
-            if ((leg == 0 ? falls : climbs) && end > begin) {
+            // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
+            bool there = i == 3 || (dims && (i != 2 || darkens));
+            float piece_begin = i == 0 ? along : (i == 1 ? dusk.begin : (i == 2 ? dark.end : dusk.end));
+            float piece_end =
+                i == 0 ? dusk.begin : (i == 1 && darkens ? dark.begin : (i == 3 ? extent + along : dusk.end));
+            float begin = max(i == 3 && !dims ? 0.0 : piece_begin - along, leg_begin);
+            float end = i == 3 ? leg_end : min(piece_end - along, leg_end);
+            if (there && (leg == 0 ? falls : climbs) && end > begin) {
                 if (i > 1 && darkens) {
                     here = airlight_ray_point(atmosphere, ray, begin);
                 }

@@ -38,26 +38,18 @@ airlight_Column airlight_exponentials_to_sun(airlight_Layers layers, airlight_Li
 //
 // Units:    result [L].
 // Domain:   that of exponentials_to_sun.
-// Accuracy: that of tent_outwards and lorentzian_outwards.
-// Errors:   none; without an absorbing layer 0.
-// Source:   tent_outwards, lorentzian_outwards.
+// Accuracy: that of tent_beyond and lorentzian_outwards.
+// Errors:   none; without an absorbing layer 0; a tent that reaches above the top of the air counts whole.
+// Source:   tent_beyond, lorentzian_outwards.
 float airlight_ozone_to_sun(airlight_Atmosphere atmosphere, airlight_Layers layers, airlight_LinePoint point,
                             bool sinks) {
     float air = 0.0;
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
-    if (!sinks && point.radius >= atmosphere.ground_radius + layers.ozone_shells.z) {
+    if (!sinks && point.altitude >= layers.ozone_shells.z) {
         return 0.0;
     }
     vec3 shells = airlight_shells_along(layers, atmosphere.ground_radius, point.perigee_altitude);
-    air = airlight_tent_outwards(layers, shells, point.along);
-    if (sinks) {
-        air = 2.0 * airlight_tent_outwards(layers, shells, 0.0) - air;
-    }
-    if (layers.ozone_shells.z > atmosphere.top_altitude) {
-        float top_along = airlight_safe_sqrt((layers.top_radius - point.perigee_radius) *
-                                             (layers.top_radius + point.perigee_radius));
-        air -= airlight_tent_outwards(layers, shells, top_along);
-    }
+    air = airlight_tent_beyond(layers, shells, sinks ? -point.along : point.along);
 #endif
 #if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
     air = airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,

@@ -35,9 +35,9 @@ NodeFit<T> node_fit() {
     } else if constexpr (Scene::nodes < 7) {
         return NodeFit<T>{T(0.508L), T(1.341L), T(0.2887L), T(0.698L), T(0.834L)};
     } else if constexpr (Scene::nodes < 9) {
-        return NodeFit<T>{T(0.744L), T(2.705L), T(0.0531L), T(0.651L), T(0.849L)};
+        return NodeFit<T>{T(0.743L), T(2.632L), T(0.0706L), T(0.535L), T(0.608L)};
     } else if constexpr (Scene::nodes < 11) {
-        return NodeFit<T>{T(0.705L), T(2.377L), T(0.0227L), T(1.719L), T(2.053L)};
+        return NodeFit<T>{T(0.678L), T(2.169L), T(0.0201L), T(2.288L), T(2.808L)};
     } else if constexpr (Scene::nodes < 13) {
         return NodeFit<T>{T(0.853L), T(3.739L), T(0.0879L), T(0.223L), T(2.348L)};
     } else if constexpr (Scene::nodes < 17) {

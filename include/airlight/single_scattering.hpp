@@ -238,16 +238,9 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
             }
         }
     }
-
-    // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
     const bool dims = dusk.begin < dusk.end;
     const bool darkens = dark.begin < dark.end;
     const T extent = ray.air.extent;
-    const T none = T(-1);
-    const T begins[4] = {T(0), dusk.begin - along, dark.end - along, dims ? dusk.end - along : T(0)};
-    const T ends[4] = {dims ? dusk.begin - along : none,
-                       dims ? (darkens ? dark.begin : dusk.end) - along : none,
-                       darkens ? dusk.end - along : none, extent};
 
     // Down to the closest approach, then up from it. Falling, there is more air outwards from a node than
     // outwards from the eye; climbing, less. The difference is the air between them.
@@ -270,9 +263,14 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
             outwards = T(1);
         }
         for (int i = 0; i < 4; ++i) {
-            const T begin = glm::max(begins[i], leg_begin);
-            const T end = glm::min(ends[i], leg_end);
-            if ((leg == 0 ? falls : climbs) && end > begin) {
+            // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
+            const bool there = i == 3 || (dims && (i != 2 || darkens));
+            const T piece_begin = i == 0 ? along : (i == 1 ? dusk.begin : (i == 2 ? dark.end : dusk.end));
+            const T piece_end =
+                i == 0 ? dusk.begin : (i == 1 && darkens ? dark.begin : (i == 3 ? extent + along : dusk.end));
+            const T begin = glm::max(i == 3 && !dims ? T(0) : piece_begin - along, leg_begin);
+            const T end = i == 3 ? leg_end : glm::min(piece_end - along, leg_end);
+            if (there && (leg == 0 ? falls : climbs) && end > begin) {
                 if (i > 1 && darkens) {
                     here = ray_point<T, Scene>(atmosphere, ray, begin);
                 }

@@ -36,27 +36,19 @@ inline Column<T> exponentials_to_sun(const Layers<T>& layers, const LinePoint<T>
 ///
 /// Units:    result [L].
 /// Domain:   that of exponentials_to_sun.
-/// Accuracy: that of tent_outwards and lorentzian_outwards.
-/// Errors:   none; without an absorbing layer 0.
-/// Source:   tent_outwards, lorentzian_outwards.
+/// Accuracy: that of tent_beyond and lorentzian_outwards.
+/// Errors:   none; without an absorbing layer 0; a tent that reaches above the top of the air counts whole.
+/// Source:   tent_beyond, lorentzian_outwards.
 template <typename T, typename Scene = DefaultScene>
 inline T ozone_to_sun(const Atmosphere<T>& atmosphere, const Layers<T>& layers, const LinePoint<T>& point,
                       bool sinks) {
     T air = T(0);
     if constexpr (Scene::ozone == ozone_tent) {
-        if (!sinks && point.radius >= atmosphere.ground_radius + layers.ozone_shells.z) {
+        if (!sinks && point.altitude >= layers.ozone_shells.z) {
             return T(0);
         }
         const vec3<T> shells = shells_along(layers, atmosphere.ground_radius, point.perigee_altitude);
-        air = tent_outwards(layers, shells, point.along);
-        if (sinks) {
-            air = T(2) * tent_outwards(layers, shells, T(0)) - air;
-        }
-        if (layers.ozone_shells.z > atmosphere.top_altitude) {
-            const T top_along = safe_sqrt((layers.top_radius - point.perigee_radius) *
-                                          (layers.top_radius + point.perigee_radius));
-            air -= tent_outwards(layers, shells, top_along);
-        }
+        air = tent_beyond(layers, shells, sinks ? -point.along : point.along);
     }
     if constexpr (Scene::ozone == ozone_lorentzian) {
         air = lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,

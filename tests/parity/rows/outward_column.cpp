@@ -126,20 +126,19 @@ static const bool shells_along_row =
         })
         .to_the_bit();
 
-static const bool tent_outwards_row =
-    row("tent_outwards")
-        .inputs([](Draw& draw) {
-            const Place at = place(draw);
-            const auto layers = airlight::layers_of(at.atmosphere);
-            const auto point = towards_sun(at);
-            const auto shells =
-                airlight::shells_along(layers, at.atmosphere.ground_radius, point.perigee_altitude);
-            return std::make_tuple(layers, shells, point.along);
-        })
-        .cpu([](const auto& layers, const auto& shells, auto along) {
-            return airlight::tent_outwards(layers, shells, along);
-        })
-        .to_the_bit();
+static const bool tent_beyond_row = row("tent_beyond")
+                                        .inputs([](Draw& draw) {
+                                            const Place at = place(draw);
+                                            const auto layers = airlight::layers_of(at.atmosphere);
+                                            const auto point = towards_sun(at);
+                                            const auto shells = airlight::shells_along(
+                                                layers, at.atmosphere.ground_radius, point.perigee_altitude);
+                                            return std::make_tuple(layers, shells, point.along);
+                                        })
+                                        .cpu([](const auto& layers, const auto& shells, auto along) {
+                                            return airlight::tent_beyond(layers, shells, along);
+                                        })
+                                        .to_the_bit();
 
 static const bool lorentzian_outwards_row =
     row("lorentzian_outwards")
