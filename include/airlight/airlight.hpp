@@ -8,6 +8,7 @@
 
 #include <airlight/gauss.hpp>
 #include <airlight/node_map.hpp>
+#include <airlight/nodes_for.hpp>
 #include <airlight/numeric.hpp>
 
 #include <airlight/chapman.hpp>
