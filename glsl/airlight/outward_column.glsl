@@ -138,7 +138,7 @@ airlight_LinePoint airlight_line_towards_sun(float altitude, float radius, float
 //
 // Units:    density [1] at the point; height [L], root [L^-0.5] as in Layers; result [L].
 // Domain:   height >= thinnest_layer of the air; point.radius > 0.
-// Accuracy: relative 1.3e-4 at radius / height = 50, 3e-5 at 100, 6e-7 from 800 on.
+// Accuracy: relative 1.3e-4 at radius / height = 50, 3e-5 at 100, 6e-7 from 800 on; below 10 it is lost.
 // Errors:   none.
 // Source:   docs/theory/chapman.md.
 float airlight_exponential_outwards(airlight_LinePoint point, float density, float height, float root) {
@@ -187,7 +187,8 @@ vec3 airlight_shells_along(airlight_Layers layers, float ground_radius, float pe
 // Units:    shells [L] of shells_along; along [L] of the point from the closest approach, negative where
 //           that is still to come; result [L].
 // Domain:   every along.
-// Accuracy: 3e-5 of the largest column through the layer (measured: 2.4e-5 on Earth).
+// Accuracy: 3e-5 of the largest column through the layer (measured: 2.4e-5 on Earth). In float a tent
+//           narrower than a twentieth of its altitude is lost in the roundoff of its ramps.
 // Errors:   none; a layer of zero width gives 0. Below the ground the tent goes on.
 // Source:   series of the shell's radius, integrated term by term.
 float airlight_tent_beyond(airlight_Layers layers, vec3 shells, float along) {

@@ -303,10 +303,17 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
         here = airlight_ray_point(atmosphere, ray, extent);
     }
     airlight_Column passed = airlight_column_sum(offset, -outwards, here.outwards);
-    // The difference of two columns outwards has no digits left for a short ray; its nodes' sum has.
-    if (extent < 0.01 * ray.layers.rayleigh_height && swept.ozone > 0.99 * extent) {
-        passed = airlight_Column(swept.rayleigh, swept.mie, passed.ozone);
+    // The difference of two columns outwards has no digits left for a ray much shorter than the layer is
+    // tall; its nodes' sum has, where none of it lies in the dark.
+    bool summed = swept.ozone > 0.99 * extent;
+    if (summed && extent < 0.01 * ray.layers.rayleigh_height) {
+        passed.rayleigh = swept.rayleigh;
     }
+#if AIRLIGHT_MIE
+    if (summed && extent < 0.01 * ray.layers.mie_height) {
+        passed.mie = swept.mie;
+    }
+#endif
     vec3 depth =
         max(airlight_column_optical_depth(atmosphere, passed), vec3(0.0, 0.0, 0.0));
     vec3 transmittance = exp(-depth);

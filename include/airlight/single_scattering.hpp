@@ -304,9 +304,16 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
         here = ray_point<T, Scene>(atmosphere, ray, extent);
     }
     Column<T> passed = column_sum(offset, -outwards, here.outwards);
-    // The difference of two columns outwards has no digits left for a short ray; its nodes' sum has.
-    if (extent < T(0.01L) * ray.layers.rayleigh_height && swept.ozone > T(0.99L) * extent) {
-        passed = Column<T>{swept.rayleigh, swept.mie, passed.ozone};
+    // The difference of two columns outwards has no digits left for a ray much shorter than the layer is
+    // tall; its nodes' sum has, where none of it lies in the dark.
+    const bool summed = swept.ozone > T(0.99L) * extent;
+    if (summed && extent < T(0.01L) * ray.layers.rayleigh_height) {
+        passed.rayleigh = swept.rayleigh;
+    }
+    if constexpr (Scene::mie) {
+        if (summed && extent < T(0.01L) * ray.layers.mie_height) {
+            passed.mie = swept.mie;
+        }
     }
     const vec3<T> depth =
         glm::max(column_optical_depth<T, Scene>(atmosphere, passed), vec3<T>(T(0), T(0), T(0)));

@@ -16,12 +16,6 @@ namespace {
 
 using namespace airlight;
 
-template <typename T>
-Scattered<T> view(const Atmosphere<T>& air, const Viewpoint<T>& eye, const vec3<T>& direction,
-                  const vec3<T>& to_sun, T distance) {
-    return single_scattering_marched<T>(air, eye, direction, to_sun, distance, 64);
-}
-
 /// A float vector of length 1 to rounding.
 vec3<float> rounded(const vec3<double>& direction) {
     const vec3<float> narrow(direction);
@@ -40,9 +34,9 @@ Errors errors_at(double height, double length) {
     const vec3<double> vertical(0.0, 0.0, 1.0);
     // Luminance of the zenith at noon, seen from the ground: what is darker by four decades counts as that
     // dark.
-    const double noon = luminance(
-        view<double>(wide, Viewpoint<double>{0.0, vertical}, vertical, vertical, no_surface<double>())
-            .radiance);
+    const double noon = luminance(single_scattering<double>(wide, Viewpoint<double>{0.0, vertical}, vertical,
+                                                            vertical, no_surface<double>())
+                                      .radiance);
 
     airlight_test::Random random(2);
     std::vector<double> radiance;
@@ -71,9 +65,9 @@ Errors errors_at(double height, double length) {
             continue;
         }
         const float distance = static_cast<float>(path.begin + length);
-        const Scattered<float> got = view<float>(narrow, eye, direction, to_sun, distance);
-        const Scattered<double> expected =
-            view<double>(wide, same_eye, vec3<double>(direction), vec3<double>(to_sun), distance);
+        const Scattered<float> got = single_scattering(narrow, eye, direction, to_sun, distance);
+        const Scattered<double> expected = single_scattering<double>(wide, same_eye, vec3<double>(direction),
+                                                                     vec3<double>(to_sun), distance);
         const double bright = luminance(expected.radiance);
         radiance.push_back(std::fabs(luminance(vec3<double>(got.radiance)) - bright) /
                            std::fmax(bright, 1e-4 * noon));

@@ -111,11 +111,7 @@ Verdict transmittance_promises(const Integrator& integrator, const airlight::Atm
                   Scene::ozone == ozone_none ? T(0) : air.ozone_altitude + air.ozone_half_width);
     const bool has_laws = thickest <= T(0.1L) * air.ground_radius && air.rayleigh_scale_height >= thinnest &&
                           (!Scene::mie || air.mie_scale_height >= thinnest);
-    // Columns of a short ray are its nodes' sums, and few nodes do not follow an aerosol far thinner than the
-    // ray is long.
-    const bool is_followed = ray.extent >= T(0.01L) * air.rayleigh_scale_height || !Scene::mie ||
-                             ray.extent < T(0.01L) * air.mie_scale_height;
-    if (!ray.in_air || !has_laws || !is_followed) {
+    if (!ray.in_air || !has_laws) {
         return verdict;
     }
     const auto passed = [&](T length) {

@@ -156,7 +156,7 @@ TEST_CASE_TEMPLATE("an absorbing layer that reaches down to the planet's centre 
     for (const T perigee_altitude : {T(-1e6), T(-1000), T(0), T(1000)}) {
         const vec3<T> shells = shells_along(layers, air.ground_radius, perigee_altitude);
         for (const T along : {T(0), T(1e3), T(1e6)}) {
-            const T column = tent_outwards(layers, shells, along);
+            const T column = tent_beyond(layers, shells, along);
             CHECK(std::isfinite(column));
             CHECK(column >= T(0));
         }
