@@ -89,7 +89,7 @@ static const bool piece_map_row =
                                    t - begin, climbs ? 1.0F : -1.0F);
         })
         .left_out(
-            0.3, 0.1,
+            0.35, 0.1,
             "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
             "points where rounding decides how long the ray or its shadow is")
         .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& low, const auto& high,
@@ -113,7 +113,7 @@ static const bool node_radiance_row =
                                    glm::abs(ray.air.along + t), point.density);
         })
         .left_out(
-            0.3, 0.1,
+            0.35, 0.1,
             "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
             "points where rounding decides how long the ray or its shadow is")
         .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& offset, auto outwards,
@@ -145,7 +145,7 @@ static const bool single_scattering_row =
         .inputs(view)
         .count(4096)
         .left_out(
-            0.3, 0.1,
+            0.35, 0.1,
             "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
             "points where rounding decides how long the ray or its shadow is")
         .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
