@@ -281,7 +281,8 @@ struct airlight_NodeFit {
 // Domain:   none, it takes no argument.
 // Accuracy: three digits; the error of single_scattering changes little around the best values.
 // Errors:   none.
-// Source:   fitted to views of six atmospheres, study/fit_nodes.
+// Source:   the simplex of Nelder and Mead on views of the study's atmospheres; study/fit_nodes goes on
+//           from here.
 airlight_NodeFit airlight_node_fit() {
 #if AIRLIGHT_NODES < 5
     return airlight_NodeFit(0.532, 1.797, 0.3122, 0.468, 0.933);
@@ -2169,7 +2170,7 @@ airlight_RayPoint airlight_ray_point(airlight_Atmosphere atmosphere, airlight_Li
 // Domain:   every column.
 // Accuracy: 6 ulp.
 // Errors:   none.
-// Source:   weights that served well in study/fit_nodes.
+// Source:   chosen: red is what is left of light that has come far, green is most of the luminance.
 float airlight_guiding_depth(airlight_Atmosphere atmosphere, airlight_Column column) {
     vec3 depth = airlight_column_optical_depth(atmosphere, column);
     return 0.75 * depth.x + 0.25 * depth.y;

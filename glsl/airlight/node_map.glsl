@@ -22,7 +22,8 @@ struct airlight_NodeFit {
 // Domain:   none, it takes no argument.
 // Accuracy: three digits; the error of single_scattering changes little around the best values.
 // Errors:   none.
-// Source:   fitted to views of six atmospheres, study/fit_nodes.
+// Source:   the simplex of Nelder and Mead on views of the study's atmospheres; study/fit_nodes goes on
+//           from here.
 airlight_NodeFit airlight_node_fit() {
 #if AIRLIGHT_NODES < 5
     return airlight_NodeFit(0.532, 1.797, 0.3122, 0.468, 0.933);

@@ -103,7 +103,7 @@ airlight_RayPoint airlight_ray_point(airlight_Atmosphere atmosphere, airlight_Li
 // Domain:   every column.
 // Accuracy: 6 ulp.
 // Errors:   none.
-// Source:   weights that served well in study/fit_nodes.
+// Source:   chosen: red is what is left of light that has come far, green is most of the luminance.
 float airlight_guiding_depth(airlight_Atmosphere atmosphere, airlight_Column column) {
     vec3 depth = airlight_column_optical_depth(atmosphere, column);
     return 0.75 * depth.x + 0.25 * depth.y;

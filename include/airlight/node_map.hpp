@@ -25,7 +25,8 @@ struct NodeFit {
 /// Domain:   none, it takes no argument.
 /// Accuracy: three digits; the error of single_scattering changes little around the best values.
 /// Errors:   none.
-/// Source:   fitted to views of six atmospheres, study/fit_nodes.
+/// Source:   the simplex of Nelder and Mead on views of the study's atmospheres; study/fit_nodes goes on
+///           from here.
 template <typename T, typename Scene = DefaultScene>
 NodeFit<T> node_fit() {
     if constexpr (Scene::nodes < 5) {

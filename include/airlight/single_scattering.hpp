@@ -103,7 +103,7 @@ RayPoint<T> ray_point(const Atmosphere<T>& atmosphere, const LitRay<T>& ray, T t
 /// Domain:   every column.
 /// Accuracy: 6 ulp.
 /// Errors:   none.
-/// Source:   weights that served well in study/fit_nodes.
+/// Source:   chosen: red is what is left of light that has come far, green is most of the luminance.
 template <typename T, typename Scene = DefaultScene>
 inline T guiding_depth(const Atmosphere<T>& atmosphere, const Column<T>& column) {
     const vec3<T> depth = column_optical_depth<T, Scene>(atmosphere, column);
