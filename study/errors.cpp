@@ -11,7 +11,7 @@ namespace study {
 Judged judged(std::vector<View> views, const Progress& progress) {
     std::vector<double> floors;
     for (std::size_t world = 0; world < worlds().size(); ++world) {
-        floors.push_back(1e-4 * luminance(true_radiance(noon_zenith(world)).radiance));
+        floors.push_back(1e-4 * airlight::luminance(true_radiance(noon_zenith(world)).radiance));
     }
     Judged out;
     out.views = std::move(views);
@@ -21,7 +21,7 @@ Judged judged(std::vector<View> views, const Progress& progress) {
     support::for_each_row(static_cast<int>(out.views.size()), [&](int row) {
         const auto i = static_cast<std::size_t>(row);
         const Truth truth = true_radiance(out.views[i]);
-        out.luminance[i] = luminance(truth.radiance);
+        out.luminance[i] = airlight::luminance(truth.radiance);
         doubts[i] = truth.doubt;
         progress(++done, out.views.size());
     });

@@ -61,7 +61,7 @@ template <int Nodes>
 double luminance_of(const study::View& view) {
     const study::World& world = study::worlds()[view.world];
     const auto seen = [&](auto scene) {
-        return study::luminance(
+        return airlight::luminance(
             airlight::single_scattering<double, decltype(scene)>(world.air, view.ray.eye, view.ray.direction,
                                                                  view.ray.to_sun, view.ray.distance)
                 .radiance);

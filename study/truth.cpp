@@ -301,8 +301,4 @@ Truth true_radiance(const View& view) {
     return Light(view).integrated();
 }
 
-double luminance(const airlight::vec3<double>& radiance) {
-    return airlight::luminance(radiance);
-}
-
 }  // namespace study

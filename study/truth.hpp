@@ -20,7 +20,4 @@ struct Truth {
 /// where the sun's rays graze a shell.
 Truth true_radiance(const View& view);
 
-/// Rec. 709 luminance.
-double luminance(const airlight::vec3<double>& radiance);
-
 }  // namespace study
