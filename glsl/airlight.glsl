@@ -1728,11 +1728,11 @@ airlight_LinePoint airlight_line_towards_sun(float altitude, float radius, float
                                              float sun_height) {
     float along = min(abs(sun_height), radius);
     float perigee_radius = sqrt((radius - along) * (radius + along));
-    float inverse_root = 1.0 / sqrt(radius + perigee_radius);
-    float depth = along * inverse_root;
-    float bend = inverse_root * inverse_root * (0.5 + perigee_radius * inverse_radius);
-    return airlight_LinePoint(altitude,     radius, along, perigee_radius, altitude - depth * depth,
-                              inverse_root, bend);
+    airlight_LinePoint point = airlight_line_point(altitude, radius, inverse_radius, along, perigee_radius,
+                                                   altitude);
+    float depth = along * point.inverse_root;
+    point.perigee_altitude = altitude - depth * depth;
+    return point;
 }
 
 // The air of an exponential layer on a line, from a point away from the closest approach, for ever.
@@ -1819,7 +1819,7 @@ float airlight_tent_beyond(airlight_Layers layers, vec3 shells, float along) {
 // Domain:   ground_radius > 0.
 // Accuracy: 5e-3 of the largest column through the layer (measured: 4.0e-3 with Leenman's numbers).
 // Errors:   none; a layer of zero width gives 0; what lies more than 10 half widths above the centre is
-//           left out (a share of 1e-4 on Earth).
+//           left out.
 // Source:   Gauss-Legendre quadrature.
 float airlight_lorentzian_outwards(airlight_Atmosphere atmosphere, airlight_Layers layers,
                                    float perigee_radius, float perigee_altitude, float along,
@@ -2118,13 +2118,12 @@ struct airlight_LitRay {
 // A view ray made ready for its nodes.
 //
 // Units:    those of single_scattering.
-// Domain:   that of single_scattering.
+// Domain:   that of single_scattering; air is air_ray's.
 // Accuracy: that of its parts.
 // Errors:   none.
-// Source:   air_ray, sun_over_line, layers_of, rayleigh_phase, mie_phase.
-airlight_LitRay airlight_lit_ray(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
-                                 vec3 to_sun, float distance) {
-    airlight_AirRay air = airlight_air_ray(atmosphere, eye, direction, distance);
+// Source:   sun_over_line, layers_of, rayleigh_phase, mie_phase.
+airlight_LitRay airlight_lit_ray(airlight_Atmosphere atmosphere, airlight_AirRay air, airlight_Viewpoint eye,
+                                 vec3 direction, vec3 to_sun) {
     airlight_SunOverLine sun = airlight_sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
     airlight_Layers layers = airlight_layers_of(atmosphere);
     vec3 shells = vec3(0.0, 0.0, 0.0);
@@ -2276,17 +2275,18 @@ vec3 airlight_most_scattered(airlight_Atmosphere atmosphere, float cos_theta, ve
 //           unit of solar irradiance above the air, radiance [1/sr].
 // Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none;
 //           visibility in [0, 1].
-// Accuracy: by Scene::nodes, see docs/trade.md; with 8 nodes and no ozone 3e-4 of the luminance on Earth,
-//           with ozone 1e-3 by day and 3e-3 at twilight.
+// Accuracy: of the luminance by Scene::nodes, docs/trade.md and node_error. With 8 nodes, 95 % of the views
+//           and the worst: with ozone 4e-4 and 3e-3 by day, 2e-3 and 5e-3 towards sunset and after it.
 // Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
 // Source:   docs/theory/nodes.md.
 airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,
                                               vec3 direction, vec3 to_sun, float distance) {
-    airlight_LitRay ray = airlight_lit_ray(atmosphere, eye, direction, to_sun, distance);
-    if (!ray.air.in_air) {
+    airlight_AirRay air = airlight_air_ray(atmosphere, eye, direction, distance);
+    if (!air.in_air) {
         return airlight_Scattered(vec3(0.0, 0.0, 0.0), vec3(1.0, 1.0, 1.0));
     }
-    float along = ray.air.along;
+    airlight_LitRay ray = airlight_lit_ray(atmosphere, air, eye, direction, to_sun);
+    float along = air.along;
 
     // The planet's shadow cuts the ray, and so does the shadow of the ozone's upper edge: there the
     // sunlight's air has a kink.
@@ -2294,18 +2294,18 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
     airlight_LineSpan dark = airlight_LineSpan(0.0, 0.0);
 #if AIRLIGHT_PLANET_SHADOW
     float radius = atmosphere.ground_radius;
-    dark = airlight_shadow_span(radius, ray.air.perigee_altitude, ray.sun, 0.0);
+    dark = airlight_shadow_span(radius, air.perigee_altitude, ray.sun, 0.0);
     dusk = dark;
 #if AIRLIGHT_OZONE != AIRLIGHT_OZONE_NONE
     vec3 absorption = atmosphere.ozone_absorption;
     if (absorption.x + absorption.y + absorption.z > 0.0) {
-        dusk = airlight_shadow_span(radius, ray.air.perigee_altitude, ray.sun, ray.layers.ozone_shells.z);
+        dusk = airlight_shadow_span(radius, air.perigee_altitude, ray.sun, ray.layers.ozone_shells.z);
     }
 #endif
 #endif
     bool dims = dusk.begin < dusk.end;
     bool darkens = dark.begin < dark.end;
-    float extent = ray.air.extent;
+    float extent = air.extent;
 
     // Down to the closest approach, then up from it. Falling, there is more air outwards from a node than
     // outwards from the eye; climbing, less. The difference is the air between them.
@@ -2315,7 +2315,8 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
     airlight_Column offset = airlight_column_sum(airlight_Column(0.0, 0.0, 0.0), -1.0, here.outwards);
     float outwards = -1.0;
     bool at_end = false;
-    airlight_Column swept = airlight_Column(0.0, 0.0, 0.0);  // by the nodes; in place of ozone the length
+    airlight_Column swept = airlight_Column(0.0, 0.0, 0.0);  // the nodes' sum, without ozone
+    float swept_extent = 0.0;
     vec3 radiance = vec3(0.0, 0.0, 0.0);
     for (int leg = 0; leg < 2; ++leg) {
         float leg_begin = leg == 1 && falls ? -along : 0.0;
@@ -2331,8 +2332,7 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
             // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
             bool there = i == 3 || (dims && (i != 2 || darkens));
             float piece_begin = i == 0 ? along : (i == 1 ? dusk.begin : (i == 2 ? dark.end : dusk.end));
-            float piece_end =
-                i == 0 ? dusk.begin : (i == 1 && darkens ? dark.begin : (i == 3 ? extent + along : dusk.end));
+            float piece_end = i == 0 ? dusk.begin : (i == 1 && darkens ? dark.begin : dusk.end);
             float begin = max(i == 3 && !dims ? 0.0 : piece_begin - along, leg_begin);
             float end = i == 3 ? leg_end : min(piece_end - along, leg_end);
             if (there && (leg == 0 ? falls : climbs) && end > begin) {
@@ -2358,8 +2358,9 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
                     airlight_Density density = airlight_layer_density(ray.layers, altitude);
                     float share = airlight_gauss_weight(j) * node.stretch;
                     swept = airlight_column_sum(swept, share,
-                                                airlight_Column(density.rayleigh, density.mie, 1.0));
-                    float lit = share * AIRLIGHT_VISIBILITY(direction * (ray.air.begin + t));
+                                                airlight_Column(density.rayleigh, density.mie, 0.0));
+                    swept_extent += share;
+                    float lit = share * AIRLIGHT_VISIBILITY(direction * (air.begin + t));
                     radiance += lit * airlight_node_radiance(atmosphere, ray, offset, outwards, altitude,
                                                              node.along, density);
                 }
@@ -2372,7 +2373,7 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
     airlight_Column passed = airlight_column_sum(offset, -outwards, here.outwards);
     // The difference of two columns outwards has no digits left for a ray much shorter than the layer is
     // tall; its nodes' sum has, where none of it lies in the dark.
-    bool summed = swept.ozone > 0.99 * extent;
+    bool summed = swept_extent > 0.99 * extent;
     if (summed && extent < 0.01 * ray.layers.rayleigh_height) {
         passed.rayleigh = swept.rayleigh;
     }
@@ -2412,11 +2413,7 @@ airlight_Scattered airlight_single_scattering_marched(airlight_Atmosphere atmosp
     }
     float step_length = ray.extent / max(float(steps), 1.0);
 
-    // The sun's height over the ray: the closest approach to the centre, and the way from there.
-    // The closest approach comes from cross products, which keep digits for far eyes.
-    float cos_theta = airlight_dot_product(direction, to_sun);
-    vec3 across = cross(direction, airlight_cross_of_unit_vectors(eye.up, direction));
-    float perigee_to_sun = (radius + max(eye.altitude, 0.0)) * airlight_dot_product(across, to_sun);
+    airlight_SunOverLine sun = airlight_sun_over_line(radius, eye, direction, to_sun);
 
     airlight_Column passed = airlight_Column(0.0, 0.0, 0.0);
     vec3 rayleigh_light = vec3(0.0, 0.0, 0.0);
@@ -2424,7 +2421,7 @@ airlight_Scattered airlight_single_scattering_marched(airlight_Atmosphere atmosp
     for (int i = 0; i < steps; ++i) {
         float t = (float(i) + 0.5) * step_length;
         float altitude = max(airlight_altitude_along_ray(radius, ray.altitude, ray.along, t), 0.0);
-        float sun_height = perigee_to_sun + (ray.along + t) * cos_theta;
+        float sun_height = sun.perigee_height + (ray.along + t) * sun.cos_theta;
         float mu_s = clamp(sun_height / (radius + altitude), -1.0, 1.0);
 
         airlight_Density density = airlight_relative_density(atmosphere, altitude);
@@ -2446,9 +2443,10 @@ airlight_Scattered airlight_single_scattering_marched(airlight_Atmosphere atmosp
         passed.ozone += half_step.ozone;
     }
 
-    vec3 radiance = atmosphere.rayleigh_scattering * rayleigh_light * airlight_rayleigh_phase(cos_theta);
+    vec3 radiance = atmosphere.rayleigh_scattering * rayleigh_light * airlight_rayleigh_phase(sun.cos_theta);
 #if AIRLIGHT_MIE
-    radiance += atmosphere.mie_scattering * mie_light * airlight_mie_phase(cos_theta, atmosphere.mie_g);
+    radiance +=
+        atmosphere.mie_scattering * mie_light * airlight_mie_phase(sun.cos_theta, atmosphere.mie_g);
 #endif
     return airlight_Scattered(radiance, exp(-airlight_column_optical_depth(atmosphere, passed)));
 }

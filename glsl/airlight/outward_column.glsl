@@ -122,11 +122,11 @@ airlight_LinePoint airlight_line_towards_sun(float altitude, float radius, float
                                              float sun_height) {
     float along = min(abs(sun_height), radius);
     float perigee_radius = sqrt((radius - along) * (radius + along));
-    float inverse_root = 1.0 / sqrt(radius + perigee_radius);
-    float depth = along * inverse_root;
-    float bend = inverse_root * inverse_root * (0.5 + perigee_radius * inverse_radius);
-    return airlight_LinePoint(altitude,     radius, along, perigee_radius, altitude - depth * depth,
-                              inverse_root, bend);
+    airlight_LinePoint point = airlight_line_point(altitude, radius, inverse_radius, along, perigee_radius,
+                                                   altitude);
+    float depth = along * point.inverse_root;
+    point.perigee_altitude = altitude - depth * depth;
+    return point;
 }
 
 // The air of an exponential layer on a line, from a point away from the closest approach, for ever.
@@ -213,7 +213,7 @@ float airlight_tent_beyond(airlight_Layers layers, vec3 shells, float along) {
 // Domain:   ground_radius > 0.
 // Accuracy: 5e-3 of the largest column through the layer (measured: 4.0e-3 with Leenman's numbers).
 // Errors:   none; a layer of zero width gives 0; what lies more than 10 half widths above the centre is
-//           left out (a share of 1e-4 on Earth).
+//           left out.
 // Source:   Gauss-Legendre quadrature.
 float airlight_lorentzian_outwards(airlight_Atmosphere atmosphere, airlight_Layers layers,
                                    float perigee_radius, float perigee_altitude, float along,

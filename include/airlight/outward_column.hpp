@@ -128,11 +128,10 @@ template <typename T>
 inline LinePoint<T> line_towards_sun(T altitude, T radius, T inverse_radius, T sun_height) {
     const T along = glm::min(glm::abs(sun_height), radius);
     const T perigee_radius = glm::sqrt((radius - along) * (radius + along));
-    const T inverse_root = T(1) / glm::sqrt(radius + perigee_radius);
-    const T depth = along * inverse_root;
-    const T bend = inverse_root * inverse_root * (T(0.5) + perigee_radius * inverse_radius);
-    return LinePoint<T>{altitude,     radius, along, perigee_radius, altitude - depth * depth,
-                        inverse_root, bend};
+    LinePoint<T> point = line_point(altitude, radius, inverse_radius, along, perigee_radius, altitude);
+    const T depth = along * point.inverse_root;
+    point.perigee_altitude = altitude - depth * depth;
+    return point;
 }
 
 /// The air of an exponential layer on a line, from a point away from the closest approach, for ever.
@@ -223,7 +222,7 @@ inline T tent_beyond(const Layers<T>& layers, const vec3<T>& shells, T along) {
 /// Domain:   ground_radius > 0.
 /// Accuracy: 5e-3 of the largest column through the layer (measured: 4.0e-3 with Leenman's numbers).
 /// Errors:   none; a layer of zero width gives 0; what lies more than 10 half widths above the centre is
-///           left out (a share of 1e-4 on Earth).
+///           left out.
 /// Source:   Gauss-Legendre quadrature.
 template <typename T>
 inline T lorentzian_outwards(const Atmosphere<T>& atmosphere, const Layers<T>& layers, T perigee_radius,

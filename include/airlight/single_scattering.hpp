@@ -48,14 +48,13 @@ struct LitRay {
 /// A view ray made ready for its nodes.
 ///
 /// Units:    those of single_scattering.
-/// Domain:   that of single_scattering.
+/// Domain:   that of single_scattering; air is air_ray's.
 /// Accuracy: that of its parts.
 /// Errors:   none.
-/// Source:   air_ray, sun_over_line, layers_of, rayleigh_phase, mie_phase.
+/// Source:   sun_over_line, layers_of, rayleigh_phase, mie_phase.
 template <typename T, typename Scene = DefaultScene>
-LitRay<T> lit_ray(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, const vec3<T>& direction,
-                  const vec3<T>& to_sun, T distance) {
-    const AirRay<T> air = air_ray(atmosphere, eye, direction, distance);
+LitRay<T> lit_ray(const Atmosphere<T>& atmosphere, const AirRay<T>& air, const Viewpoint<T>& eye,
+                  const vec3<T>& direction, const vec3<T>& to_sun) {
     const SunOverLine<T> sun = sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
     const Layers<T> layers = layers_of<T, Scene>(atmosphere);
     vec3<T> shells = vec3<T>(T(0), T(0), T(0));
@@ -209,19 +208,20 @@ inline vec3<T> most_scattered(const Atmosphere<T>& atmosphere, T cos_theta, cons
 ///           unit of solar irradiance above the air, radiance [1/sr].
 /// Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none;
 ///           visibility in [0, 1].
-/// Accuracy: by Scene::nodes, see docs/trade.md; with 8 nodes and no ozone 3e-4 of the luminance on Earth,
-///           with ozone 1e-3 by day and 3e-3 at twilight.
+/// Accuracy: of the luminance by Scene::nodes, docs/trade.md and node_error. With 8 nodes, 95 % of the views
+///           and the worst: with ozone 4e-4 and 3e-3 by day, 2e-3 and 5e-3 towards sunset and after it.
 /// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
 /// Source:   docs/theory/nodes.md.
 template <typename T, typename Scene = DefaultScene, typename Visibility = AlwaysLit>
 Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye,
                                const vec3<T>& direction, const vec3<T>& to_sun, T distance,
                                const Visibility& visibility = Visibility{}) {
-    const LitRay<T> ray = lit_ray<T, Scene>(atmosphere, eye, direction, to_sun, distance);
-    if (!ray.air.in_air) {
+    const AirRay<T> air = air_ray(atmosphere, eye, direction, distance);
+    if (!air.in_air) {
         return Scattered<T>{vec3<T>(T(0), T(0), T(0)), vec3<T>(T(1), T(1), T(1))};
     }
-    const T along = ray.air.along;
+    const LitRay<T> ray = lit_ray<T, Scene>(atmosphere, air, eye, direction, to_sun);
+    const T along = air.along;
 
     // The planet's shadow cuts the ray, and so does the shadow of the ozone's upper edge: there the
     // sunlight's air has a kink.
@@ -229,18 +229,18 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
     LineSpan<T> dark = LineSpan<T>{T(0), T(0)};
     if constexpr (Scene::planet_shadow) {
         const T radius = atmosphere.ground_radius;
-        dark = shadow_span(radius, ray.air.perigee_altitude, ray.sun, T(0));
+        dark = shadow_span(radius, air.perigee_altitude, ray.sun, T(0));
         dusk = dark;
         if constexpr (Scene::ozone != ozone_none) {
             const vec3<T> absorption = atmosphere.ozone_absorption;
             if (absorption.x + absorption.y + absorption.z > T(0)) {
-                dusk = shadow_span(radius, ray.air.perigee_altitude, ray.sun, ray.layers.ozone_shells.z);
+                dusk = shadow_span(radius, air.perigee_altitude, ray.sun, ray.layers.ozone_shells.z);
             }
         }
     }
     const bool dims = dusk.begin < dusk.end;
     const bool darkens = dark.begin < dark.end;
-    const T extent = ray.air.extent;
+    const T extent = air.extent;
 
     // Down to the closest approach, then up from it. Falling, there is more air outwards from a node than
     // outwards from the eye; climbing, less. The difference is the air between them.
@@ -250,7 +250,8 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
     Column<T> offset = column_sum(Column<T>{T(0), T(0), T(0)}, T(-1), here.outwards);
     T outwards = T(-1);
     bool at_end = false;
-    Column<T> swept = Column<T>{T(0), T(0), T(0)};  // by the nodes; in place of ozone the length
+    Column<T> swept = Column<T>{T(0), T(0), T(0)};  // the nodes' sum, without ozone
+    T swept_extent = T(0);
     vec3<T> radiance = vec3<T>(T(0), T(0), T(0));
     for (int leg = 0; leg < 2; ++leg) {
         const T leg_begin = leg == 1 && falls ? -along : T(0);
@@ -266,8 +267,7 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
             // What is lit, in order: before the dusk, in it, in it again behind the dark, after it.
             const bool there = i == 3 || (dims && (i != 2 || darkens));
             const T piece_begin = i == 0 ? along : (i == 1 ? dusk.begin : (i == 2 ? dark.end : dusk.end));
-            const T piece_end =
-                i == 0 ? dusk.begin : (i == 1 && darkens ? dark.begin : (i == 3 ? extent + along : dusk.end));
+            const T piece_end = i == 0 ? dusk.begin : (i == 1 && darkens ? dark.begin : dusk.end);
             const T begin = glm::max(i == 3 && !dims ? T(0) : piece_begin - along, leg_begin);
             const T end = i == 3 ? leg_end : glm::min(piece_end - along, leg_end);
             if (there && (leg == 0 ? falls : climbs) && end > begin) {
@@ -292,8 +292,9 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
                     const T altitude = low.altitude + node.rise;
                     const Density<T> density = layer_density<T, Scene>(ray.layers, altitude);
                     const T share = gauss_weight<T, Scene>(j) * node.stretch;
-                    swept = column_sum(swept, share, Column<T>{density.rayleigh, density.mie, T(1)});
-                    const T lit = share * visibility(direction * (ray.air.begin + t));
+                    swept = column_sum(swept, share, Column<T>{density.rayleigh, density.mie, T(0)});
+                    swept_extent += share;
+                    const T lit = share * visibility(direction * (air.begin + t));
                     radiance += lit * node_radiance<T, Scene>(atmosphere, ray, offset, outwards, altitude,
                                                               node.along, density);
                 }
@@ -306,7 +307,7 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
     Column<T> passed = column_sum(offset, -outwards, here.outwards);
     // The difference of two columns outwards has no digits left for a ray much shorter than the layer is
     // tall; its nodes' sum has, where none of it lies in the dark.
-    const bool summed = swept.ozone > T(0.99L) * extent;
+    const bool summed = swept_extent > T(0.99L) * extent;
     if (summed && extent < T(0.01L) * ray.layers.rayleigh_height) {
         passed.rayleigh = swept.rayleigh;
     }
@@ -347,11 +348,7 @@ Scattered<T> single_scattering_marched(const Atmosphere<T>& atmosphere, const Vi
     }
     const T step_length = ray.extent / glm::max(T(steps), T(1));
 
-    // The sun's height over the ray: the closest approach to the centre, and the way from there.
-    // The closest approach comes from cross products, which keep digits for far eyes.
-    const T cos_theta = dot_product(direction, to_sun);
-    const vec3<T> across = glm::cross(direction, cross_of_unit_vectors(eye.up, direction));
-    const T perigee_to_sun = (radius + glm::max(eye.altitude, T(0))) * dot_product(across, to_sun);
+    const SunOverLine<T> sun = sun_over_line(radius, eye, direction, to_sun);
 
     Column<T> passed = Column<T>{T(0), T(0), T(0)};
     vec3<T> rayleigh_light = vec3<T>(T(0), T(0), T(0));
@@ -359,7 +356,7 @@ Scattered<T> single_scattering_marched(const Atmosphere<T>& atmosphere, const Vi
     for (int i = 0; i < steps; ++i) {
         const T t = (T(i) + T(0.5)) * step_length;
         const T altitude = glm::max(altitude_along_ray(radius, ray.altitude, ray.along, t), T(0));
-        const T sun_height = perigee_to_sun + (ray.along + t) * cos_theta;
+        const T sun_height = sun.perigee_height + (ray.along + t) * sun.cos_theta;
         const T mu_s = glm::clamp(sun_height / (radius + altitude), T(-1), T(1));
 
         const Density<T> density = relative_density<T, Scene>(atmosphere, altitude);
@@ -381,9 +378,10 @@ Scattered<T> single_scattering_marched(const Atmosphere<T>& atmosphere, const Vi
         passed.ozone += half_step.ozone;
     }
 
-    vec3<T> radiance = atmosphere.rayleigh_scattering * rayleigh_light * rayleigh_phase(cos_theta);
+    vec3<T> radiance = atmosphere.rayleigh_scattering * rayleigh_light * rayleigh_phase(sun.cos_theta);
     if constexpr (Scene::mie) {
-        radiance += atmosphere.mie_scattering * mie_light * mie_phase<T, Scene>(cos_theta, atmosphere.mie_g);
+        radiance +=
+            atmosphere.mie_scattering * mie_light * mie_phase<T, Scene>(sun.cos_theta, atmosphere.mie_g);
     }
     return Scattered<T>{radiance, glm::exp(-column_optical_depth<T, Scene>(atmosphere, passed))};
 }

@@ -28,25 +28,32 @@ static auto view(Draw& draw) {
     return std::make_tuple(atmosphere, eye, direction, to_sun, draw.distance(atmosphere));
 }
 
+/// Atmosphere, a ray that is in its air, eye, direction, sun.
+static auto ray_in_air(Draw& draw) {
+    const auto [atmosphere, eye, direction, to_sun, distance] = view(draw);
+    const auto air = airlight::air_ray(atmosphere, eye, direction, distance);
+    const airlight::Viewpoint<float> on_ground{0.0F, eye.up};
+    return air.in_air ? std::make_tuple(atmosphere, air, eye, direction, to_sun)
+                      : std::make_tuple(
+                            atmosphere,
+                            airlight::air_ray(atmosphere, on_ground, eye.up, airlight::no_surface<float>()),
+                            on_ground, eye.up, to_sun);
+}
+
 static const bool lit_ray_row = row("lit_ray")
-                                    .inputs(view)
-                                    .cpu([](auto run, const auto& atmosphere, const auto& eye,
-                                            const auto& direction, const auto& to_sun, auto distance) {
+                                    .inputs(ray_in_air)
+                                    .cpu([](auto run, const auto& atmosphere, const auto& air,
+                                            const auto& eye, const auto& direction, const auto& to_sun) {
                                         using R = decltype(run);
                                         return airlight::lit_ray<typename R::T, typename R::Scene>(
-                                            atmosphere, eye, direction, to_sun, distance);
+                                            atmosphere, air, eye, direction, to_sun);
                                     })
                                     .within_bound();
 
-/// Atmosphere, a ray that is in its air, a distance along it.
+/// Atmosphere, a lit ray, a distance along it.
 static auto point_of_ray(Draw& draw) {
-    const auto inputs = view(draw);
-    auto ray = std::apply([](const auto&... x) { return airlight::lit_ray<float>(x...); }, inputs);
-    if (!ray.air.in_air) {
-        const auto& [atmosphere, eye, direction, to_sun, distance] = inputs;
-        const airlight::Viewpoint<float> on_ground{0.0F, eye.up};
-        ray = airlight::lit_ray<float>(atmosphere, on_ground, eye.up, to_sun, airlight::no_surface<float>());
-    }
+    const auto inputs = ray_in_air(draw);
+    const auto ray = std::apply([](const auto&... x) { return airlight::lit_ray<float>(x...); }, inputs);
     return std::make_tuple(std::get<0>(inputs), ray, ray.air.extent * draw.number(0.01F, 1.0F));
 }
 
