@@ -4,6 +4,7 @@
 
 #include <baselines/baselines.hpp>
 
+#include "converted.hpp"
 #include "methods.hpp"
 #include "tables.hpp"
 
@@ -117,7 +118,8 @@ const std::vector<Place<T>>& places() {
         std::vector<Place<T>> out;
         for (std::size_t i = 0; i < worlds().size(); ++i) {
             const World& world = worlds()[i];
-            out.push_back({converted<T>(world.air), world.ozone, cs562_table<T>(i), hillaire_table<T>(i)});
+            out.push_back({airlight_test::converted<T>(world.air), world.ozone, cs562_table<T>(i),
+                           hillaire_table<T>(i)});
         }
         return out;
     }();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "converted.hpp"
 #include "worlds.hpp"
 
 namespace study {
@@ -38,12 +39,10 @@ View noon_zenith(std::size_t world);
 /// The same ray in another scalar type.
 template <typename T>
 Ray<T> converted(const Ray<double>& ray) {
-    const auto vector = [](const airlight::vec3<double>& v) {
-        return airlight::vec3<T>(T(v.x), T(v.y), T(v.z));
-    };
-    return Ray<T>{{T(ray.eye.altitude), vector(ray.eye.up)},
-                  vector(ray.direction),
-                  vector(ray.to_sun),
+    using airlight_test::converted;
+    return Ray<T>{{T(ray.eye.altitude), converted<T>(ray.eye.up)},
+                  converted<T>(ray.direction),
+                  converted<T>(ray.to_sun),
                   T(ray.distance)};
 }
 

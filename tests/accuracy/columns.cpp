@@ -6,7 +6,7 @@
 
 #include <airlight/airlight.hpp>
 
-#include "float_earth.hpp"
+#include "converted.hpp"
 #include "quadrature.hpp"
 #include "samplers.hpp"
 #include "tables.hpp"
@@ -79,8 +79,8 @@ std::string column_table() {
         "next table does.\n\n"
         "| eye at | 1 m | 1 km | 100 km | to space |\n|---|---:|---:|---:|---:|\n";
     const Atmosphere<float> narrow = earth<float>();
-    const Atmosphere<double> wide = widened<double>(narrow);
-    const Atmosphere<Real> widest = widened<Real>(narrow);
+    const Atmosphere<double> wide = airlight_test::converted<double>(narrow);
+    const Atmosphere<Real> widest = airlight_test::converted<Real>(narrow);
     for (const double height : heights) {
         out += "| " + length_text(height);
         for (const double distance : distances) {

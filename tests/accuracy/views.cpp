@@ -6,8 +6,8 @@
 
 #include <airlight/airlight.hpp>
 
+#include "converted.hpp"
 #include "error_metrics.hpp"
-#include "float_earth.hpp"
 #include "samplers.hpp"
 #include "tables.hpp"
 
@@ -30,7 +30,7 @@ struct Errors {
 /// Of views from a height along `length` of air.
 Errors errors_at(double height, double length) {
     const Atmosphere<float> narrow = earth<float>();
-    const Atmosphere<double> wide = widened<double>(narrow);
+    const Atmosphere<double> wide = airlight_test::converted<double>(narrow);
     const vec3<double> vertical(0.0, 0.0, 1.0);
     // Luminance of the zenith at noon, seen from the ground: what is darker by four decades counts as that
     // dark.

@@ -3,27 +3,13 @@
 #include <doctest/doctest.h>
 
 #include "column_promises.hpp"
+#include "converted.hpp"
 #include "samplers.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
 
 namespace {
-
-Atmosphere<double> widened(const Atmosphere<float>& air) {
-    return Atmosphere<double>{air.ground_radius,
-                              air.top_altitude,
-                              vec3<double>(air.rayleigh_scattering),
-                              air.rayleigh_scale_height,
-                              vec3<double>(air.mie_scattering),
-                              vec3<double>(air.mie_absorption),
-                              air.mie_scale_height,
-                              air.mie_g,
-                              vec3<double>(air.ozone_absorption),
-                              air.ozone_altitude,
-                              air.ozone_half_width,
-                              vec3<double>(air.ground_albedo)};
-}
 
 // The cosine of a ray that touches the ground, or -1 from below it.
 template <typename T>
@@ -111,7 +97,7 @@ TEST_CASE("float columns stay within their bound of double's, whatever the air")
         const float altitude = any_altitude(random, air);
         const float mu = cosine<float>(random);
         const float distance = any_distance<float>(random);
-        const Atmosphere<double> wide = widened(air);
+        const Atmosphere<double> wide = converted<double>(air);
         const AirPath<double> path = air_path<double>(wide, altitude, mu, distance);
         const Column<float> got = column(air, altitude, mu, distance);
         const Column<double> expected = column<double>(wide, altitude, mu, distance);

@@ -8,6 +8,7 @@
 #include <airlight/view_path.hpp>
 #include <airlight/viewpoint.hpp>
 
+#include "converted.hpp"
 #include "samplers.hpp"
 #include "story.hpp"
 #include "ulp.hpp"
@@ -43,10 +44,7 @@ Viewpoint<T> viewpoint(const Look& look) {
 /// The float planet in T, so that both see the same numbers.
 template <typename T>
 Atmosphere<T> planet() {
-    Atmosphere<T> atmosphere = earth<T>();
-    atmosphere.ground_radius = T(earth<float>().ground_radius);
-    atmosphere.top_altitude = T(earth<float>().top_altitude);
-    return atmosphere;
+    return converted<T>(earth<float>());
 }
 
 /// A unit vector at right angles to `up`.
