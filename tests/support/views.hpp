@@ -1,19 +1,23 @@
 #pragma once
 
-// Views of the sky for tests of single scattering: eye, direction, sun, and hooks that keep books.
+// Views of the sky for tests of single scattering: eye, direction, sun, hooks that keep books, and when the
+// light of two is the same.
 
 #include <cmath>
 #include <vector>
 
+#include <doctest/doctest.h>
 #include <airlight/airlight.hpp>
 
 #include "samplers.hpp"
+#include "story.hpp"
 #include "table.hpp"
 
 namespace airlight_test {
 
 using airlight::Atmosphere;
 using airlight::no_surface;
+using airlight::Scattered;
 using airlight::vec3;
 using airlight::Viewpoint;
 
@@ -95,6 +99,16 @@ View<T> table_view(const Row& row) {
     return View<T>{standing(row.input<T>("altitude")), direction / std::sqrt(glm::dot(direction, direction)),
                    to_sun / std::sqrt(glm::dot(to_sun, to_sun)),
                    row.text("distance") == "none" ? no_surface<T>() : row.input<T>("distance")};
+}
+
+/// The same light to the bit; the test case says by which method.
+template <typename T>
+void check_same(const Scattered<T>& a, const Scattered<T>& b) {
+    for (int i = 0; i < 3; ++i) {
+        CHECK_EQUAL(compare_ulp("radiance", {{"channel", T(i)}}, a.radiance[i], b.radiance[i]));
+        CHECK_EQUAL(
+            compare_ulp("transmittance", {{"channel", T(i)}}, a.transmittance[i], b.transmittance[i]));
+    }
 }
 
 }  // namespace airlight_test

@@ -25,16 +25,6 @@ Scattered<T> seen(const Atmosphere<T>& planet, const View<T>& view, const Visibi
                                        visibility);
 }
 
-template <typename T>
-void check_same(const Scattered<T>& a, const Scattered<T>& b) {
-    for (int i = 0; i < 3; ++i) {
-        CHECK_EQUAL(
-            compare_ulp("single_scattering.radiance", {{"channel", T(i)}}, a.radiance[i], b.radiance[i]));
-        CHECK_EQUAL(compare_ulp("single_scattering.transmittance", {{"channel", T(i)}}, a.transmittance[i],
-                                b.transmittance[i]));
-    }
-}
-
 // Largest errors of radiance and transmittance over the table's views, in a type and with a count of nodes.
 template <typename T, typename Scene>
 std::vector<double> table_errors(double& largest_transmittance_error) {

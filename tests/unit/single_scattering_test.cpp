@@ -26,16 +26,6 @@ Scattered<T> march(const Atmosphere<T>& planet, const View<T>& view, int steps) 
                                                steps);
 }
 
-template <typename T>
-void check_same(const Scattered<T>& a, const Scattered<T>& b) {
-    for (int i = 0; i < 3; ++i) {
-        CHECK_EQUAL(compare_ulp("single_scattering_marched.radiance", {{"channel", T(i)}}, a.radiance[i],
-                                b.radiance[i]));
-        CHECK_EQUAL(compare_ulp("single_scattering_marched.transmittance", {{"channel", T(i)}},
-                                a.transmittance[i], b.transmittance[i]));
-    }
-}
-
 // Views that cross the edge of the planet's shadow: there the midpoint rule is of first order.
 bool crosses_shadow(const std::string& view) {
     return view == "sunset_horizon" || view == "twilight_zenith" || view == "twilight_horizon" ||
