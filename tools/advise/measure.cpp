@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "error_metrics.hpp"
 #include "sampling.hpp"
 #include "support/parallel.hpp"
 
@@ -18,7 +19,7 @@ Change changes(const Measured& measured, const Function& light) {
         const auto i = static_cast<std::size_t>(row);
         out[i] = change_of(light(measured.views[i]), measured.light[i], measured.floor);
     });
-    return summed_up(std::move(out));
+    return summed_up(out);
 }
 
 }  // namespace
@@ -43,16 +44,9 @@ double change_of(const Light& light, const Light& reference, double floor) {
     return std::max(added, passed);
 }
 
-Change summed_up(std::vector<double> changes) {
-    if (changes.empty()) {
-        return {};
-    }
-    std::sort(changes.begin(), changes.end());
-    const auto at = [&](double share) {
-        const double rank = std::ceil(share * static_cast<double>(changes.size()));
-        return changes[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
-    };
-    return {at(0.5), at(0.95), changes.back()};
+Change summed_up(const std::vector<double>& changes) {
+    const airlight_test::ErrorMetrics all = airlight_test::error_metrics(changes);
+    return {all.median, all.p95, all.largest};
 }
 
 Change change_by(const Measured& measured, const Setting& setting) {

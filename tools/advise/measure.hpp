@@ -32,7 +32,7 @@ struct Change {
 double change_of(const Light& light, const Light& reference, double floor);
 
 /// The changes of some views.
-Change summed_up(std::vector<double> changes);
+Change summed_up(const std::vector<double>& changes);
 
 /// By another setting, in the same air.
 Change change_by(const Measured& measured, const Setting& setting);
