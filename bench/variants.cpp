@@ -1,5 +1,6 @@
 #include "variants.hpp"
 
+#include <airlight/nodes_for.hpp>
 #include <algorithm>
 #include <cctype>
 
@@ -8,8 +9,6 @@ namespace {
 
 /// Of functions that march; flags are tried at the first.
 const std::vector<int> step_counts = {16, 8, 32, 64, 128, 256, 512};
-/// Of the node method, every number that it has constants for.
-const std::vector<int> node_counts = {4, 5, 6, 8, 10, 12, 16, 24};
 
 const char* const nodes_flag = "nodes";
 
@@ -36,7 +35,7 @@ std::vector<Variant> settings(const support::Manifest& manifest, const support::
     if (std::find(function.flags.begin(), function.flags.end(), nodes_flag) != function.flags.end()) {
         const support::Flag& flag = manifest.flag(nodes_flag);
         out.push_back({flag.default_value, "default", {}, {}});
-        for (const int count : node_counts) {
+        for (const int count : airlight::node_counts) {
             const std::string nodes = std::to_string(count);
             if (nodes != flag.default_value) {
                 out.push_back({nodes, "default", {{flag.name, flag.macro, nodes}}, {}});

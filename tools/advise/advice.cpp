@@ -1,5 +1,6 @@
 #include "advice.hpp"
 
+#include <airlight/nodes_for.hpp>
 #include <tuple>
 
 namespace advise {
@@ -28,7 +29,7 @@ Setting with_nodes(Setting setting, int nodes) {
 /// Every choice of terms at every number of nodes.
 std::vector<Setting> combinations(const Setting& reference) {
     std::vector<Setting> out;
-    for (const int nodes : node_counts()) {
+    for (const int nodes : airlight::node_counts) {
         for (const bool mie : {false, true}) {
             for (const bool ozone : {false, true}) {
                 for (const bool shadow : {false, true}) {
@@ -59,7 +60,7 @@ void measure_terms(const Measured& measured, Advice& advice) {
     add(shadow_name, change_by(measured, without_shadow(reference)), true);
     add(curvature_name, change_in(measured, flat(measured.air)), false);
     add(top_name, change_in(measured, endless(measured.air)), false);
-    for (const int nodes : node_counts()) {
+    for (const int nodes : airlight::node_counts) {
         advice.nodes.push_back({nodes, change_by(measured, with_nodes(reference, nodes))});
     }
 }

@@ -3,6 +3,7 @@
 // A setting as source text.
 
 #include <string>
+#include <vector>
 
 #include "setting.hpp"
 

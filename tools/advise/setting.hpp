@@ -1,7 +1,6 @@
 #pragma once
 
 #include <airlight/scene.hpp>
-#include <vector>
 
 namespace advise {
 
@@ -13,11 +12,5 @@ struct Setting {
     bool planet_shadow = true;
     int nodes = 24;
 };
-
-/// Every number of nodes that a Scene may have, ascending; the last is the reference's.
-inline const std::vector<int>& node_counts() {
-    static const std::vector<int> all = {4, 5, 6, 8, 10, 12, 16, 24};
-    return all;
-}
 
 }  // namespace advise
