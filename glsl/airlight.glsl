@@ -1608,11 +1608,230 @@ airlight_LineSpan airlight_shadow_span(float ground_radius, float perigee_altitu
     return airlight_LineSpan(empty ? 0.0 : begin, empty ? 0.0 : end);
 }
 
-// ---- outward_column ---------------------------------------------------------
+// ---- ozone_ramps ------------------------------------------------------------
 
 // The thinnest layer that columns are formed for, over the radius of the top of the air [1]; a
 // thinner one, 6 mm on Earth, counts as that.
 const float airlight_thinnest_layer = 1e-9;
+
+// Twelve numbers, one for each shell of an absorbing layer. A tent has three shells, all in `first`.
+struct airlight_Shells {
+    vec3 first;   // shells 1 to 3, from below
+    vec3 second;  // shells 4 to 6
+    vec3 third;   // shells 7 to 9
+    vec3 fourth;  // shells 10 to 12
+};
+
+// An absorbing layer as a sum of ramps:
+//
+//     density(r) = sum weights_k max(r_k^2 - r^2, 0)
+//
+// Between two shells r_k the density is a straight line in r^2, so that a straight ray meets a polynomial.
+struct airlight_Ramps {
+    airlight_Shells altitudes;  // [L] of the shells
+    airlight_Shells weights;    // [1/L^2] by how much the slope bends at each
+    float edge;                 // [L] altitude where most of the layer ends: one half width above its centre
+    float ceiling;              // [L] altitude of the last shell: the layer has ended
+};
+
+// The slopes of a layer between shells, per square of the radius.
+//
+// Units:    low and high, altitudes of the shells below and above [L], ground_radius [L]; low_density and
+//           high_density [1]; result [1/L^2].
+// Shape:    three spans at once.
+// Domain:   low <= high.
+// Accuracy: 4 roundoffs plus those of high - low.
+// Errors:   none; two shells closer than thinnest_layer count as that far apart.
+// Source:   divided difference.
+vec3 airlight_span_slopes(float ground_radius, vec3 low, vec3 high, vec3 low_density, vec3 high_density) {
+    float thinnest = airlight_thinnest_layer * ground_radius;
+    vec3 span = max(high - low, vec3(thinnest, thinnest, thinnest));
+    vec3 sum = max(2.0 * ground_radius + low + high, vec3(thinnest, thinnest, thinnest));
+    return (high_density - low_density) / (span * sum);
+}
+
+// A tent as ramps. Between its shells it is straight in r^2, not in r.
+//
+// Units:    those of Ramps.
+// Domain:   that of Atmosphere.
+// Accuracy: 4e-5 of the largest column through the layer on Earth (measured: 3.8e-5); the density to half
+//           width over 12 radii of its peak.
+// Errors:   none; a tent of zero width gives zero weights; what would lie below the centre is left out.
+// Source:   docs/theory/nodes.md.
+airlight_Ramps airlight_tent_ramps(airlight_Atmosphere atmosphere) {
+    float radius = atmosphere.ground_radius;
+    float centre = atmosphere.ozone_altitude;
+    float width = atmosphere.ozone_half_width;
+    vec3 none = vec3(0.0, 0.0, 0.0);
+    // Straight in r^2 bends the tent's two sides the same way; moved down by the mean of it, both are right
+    // on the average.
+    float bend = min(width, radius + centre) / (12.0 * (radius + centre));
+    float peak_at = max(centre - bend * width, -radius);
+    vec3 at = vec3(max(peak_at - width, -radius), peak_at, peak_at + width);
+    float peak = width > 0.0 ? 1.0 : 0.0;
+    vec3 slopes = airlight_span_slopes(radius, at, vec3(at.y, at.z, at.z), vec3(0.0, peak, 0.0),
+                                       vec3(peak, 0.0, 0.0));
+    vec3 weights = slopes - vec3(0.0, slopes.x, slopes.y);
+    return airlight_Ramps(airlight_Shells(at, none, none, none), airlight_Shells(weights, none, none, none),
+                          at.z, at.z);
+}
+
+// Three shells of a Lorentz curve times the Rayleigh density, each in proportion to the curve.
+//
+// Units:    altitude [L] of the shells, share [1]; result [1].
+// Domain:   ozone_half_width > 0, rayleigh_height > 0.
+// Accuracy: 4 roundoffs times 1 + altitude over the scale height.
+// Errors:   none.
+// Source:   lorentzian_density, exponential_density.
+vec3 airlight_lorentzian_at(airlight_Atmosphere atmosphere, float rayleigh_height, vec3 altitude,
+                            vec3 share) {
+    vec3 offset = (altitude - atmosphere.ozone_altitude) / atmosphere.ozone_half_width;
+    return share * exp(-altitude / rayleigh_height) / (1.0 + offset * offset);
+}
+
+// A Lorentz curve times the Rayleigh density as ramps.
+//
+// Twelve shells, in half widths from the centre, and the share of the curve's density that each gets, are
+// fitted to the columns of five layers like Leenman's. The first shell is at the ground or below it.
+//
+// Units:    those of Ramps.
+// Domain:   that of Atmosphere.
+// Accuracy: 9e-3 of the level column just below the curve's peak (measured: 8.1e-3 with Leenman's numbers);
+//           3e-2 where the curve is wider than the Rayleigh scale height.
+// Errors:   none; a layer of zero width gives zero weights; a curve much narrower than an eighth of its
+//           altitude counts up to a tenth of its largest column too much.
+// Source:   study/fit_ozone.py.
+airlight_Ramps airlight_lorentzian_ramps(airlight_Atmosphere atmosphere) {
+    float radius = atmosphere.ground_radius;
+    float centre = atmosphere.ozone_altitude;
+    float width = atmosphere.ozone_half_width;
+    float height =
+        max(atmosphere.rayleigh_scale_height, airlight_thinnest_layer * (radius + atmosphere.top_altitude));
+    // A wide curve is mostly the molecules' exponential: its shells lie where those are.
+    float spread = min(width, max(centre / 8.12, 0.7 * height));
+    vec3 at_1 = centre + spread * vec3(-8.12, -6.29, -4.52);
+    vec3 at_2 = centre + spread * vec3(-2.76, -1.52, -0.56);
+    vec3 at_3 = centre + spread * vec3(-0.07, 0.44, 0.92);
+    vec3 at_4 = centre + spread * vec3(1.61, 2.74, 5.56);
+    at_1.x = min(at_1.x, 0.0);
+    airlight_Shells at = airlight_Shells(at_1, at_2, at_3, at_4);
+    vec3 none = vec3(0.0, 0.0, 0.0);
+    if (width <= 0.0) {
+        return airlight_Ramps(at, airlight_Shells(none, none, none, none), centre, centre);
+    }
+    vec3 n_1 = airlight_lorentzian_at(atmosphere, height, at_1, vec3(0.982, 0.987, 0.959));
+    vec3 n_2 = airlight_lorentzian_at(atmosphere, height, at_2, vec3(0.965, 0.962, 1.005));
+    vec3 n_3 = airlight_lorentzian_at(atmosphere, height, at_3, vec3(1.04, 0.999, 0.937));
+    vec3 n_4 = airlight_lorentzian_at(atmosphere, height, at_4, vec3(0.878, 0.746, 0.0));
+    vec3 m_1 =
+        airlight_span_slopes(radius, at_1, vec3(at_1.y, at_1.z, at_2.x), n_1, vec3(n_1.y, n_1.z, n_2.x));
+    vec3 m_2 =
+        airlight_span_slopes(radius, at_2, vec3(at_2.y, at_2.z, at_3.x), n_2, vec3(n_2.y, n_2.z, n_3.x));
+    vec3 m_3 =
+        airlight_span_slopes(radius, at_3, vec3(at_3.y, at_3.z, at_4.x), n_3, vec3(n_3.y, n_3.z, n_4.x));
+    vec3 m_4 =
+        airlight_span_slopes(radius, at_4, vec3(at_4.y, at_4.z, at_4.z), n_4, vec3(n_4.y, n_4.z, n_4.z));
+    airlight_Shells weights =
+        airlight_Shells(m_1 - vec3(0.0, m_1.x, m_1.y), m_2 - vec3(m_1.z, m_2.x, m_2.y),
+                        m_3 - vec3(m_2.z, m_3.x, m_3.y), m_4 - vec3(m_3.z, m_4.x, m_4.y));
+    return airlight_Ramps(at, weights, centre + width, at_4.z);
+}
+
+// The absorbing layer of the scene as ramps.
+//
+// Units:    those of Ramps.
+// Domain:   that of Atmosphere.
+// Accuracy: that of tent_ramps and lorentzian_ramps.
+// Errors:   none; a scene without absorbing layer gets zero weights.
+// Source:   tent_ramps, lorentzian_ramps.
+airlight_Ramps airlight_ozone_ramps(airlight_Atmosphere atmosphere) {
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
+    return airlight_tent_ramps(atmosphere);
+#elif AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
+    return airlight_lorentzian_ramps(atmosphere);
+#else
+    vec3 none = vec3(0.0, 0.0, 0.0);
+    airlight_Shells zeros = airlight_Shells(none, none, none, none);
+    return airlight_Ramps(zeros, zeros, 0.0, 0.0);
+#endif
+}
+
+// Distances from a line's closest approach to the centre to where it crosses three shells, 0 for shells
+// below it.
+//
+// Units:    altitudes of the shells, ground_radius and perigee_altitude [L]; result [L].
+// Domain:   ground_radius > 0.
+// Accuracy: 4 roundoffs plus that of the difference of the altitudes.
+// Errors:   none.
+// Source:   difference of squares.
+vec3 airlight_crossings(vec3 altitudes, float ground_radius, float perigee_altitude) {
+    vec3 over = altitudes - perigee_altitude;
+    vec3 sum = altitudes + (2.0 * ground_radius + perigee_altitude);
+    return sqrt(max(over * sum, vec3(0.0, 0.0, 0.0)));
+}
+
+// crossings for all shells of the absorbing layer.
+//
+// Units:    those of crossings.
+// Domain:   that of crossings.
+// Accuracy: that of crossings.
+// Errors:   none; shells that the scene does not have give 0.
+// Source:   crossings.
+airlight_Shells airlight_shells_along(airlight_Ramps ramps, float ground_radius, float perigee_altitude) {
+    airlight_Shells at = ramps.altitudes;
+    vec3 none = vec3(0.0, 0.0, 0.0);
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
+    return airlight_Shells(airlight_crossings(at.first, ground_radius, perigee_altitude), none, none, none);
+#elif AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
+    return airlight_Shells(airlight_crossings(at.first, ground_radius, perigee_altitude),
+                           airlight_crossings(at.second, ground_radius, perigee_altitude),
+                           airlight_crossings(at.third, ground_radius, perigee_altitude),
+                           airlight_crossings(at.fourth, ground_radius, perigee_altitude));
+#else
+    return airlight_Shells(none, none, none, none);
+#endif
+}
+
+// Three ramps on a line, from a point on. Where `a` is the distance of a shell from the closest approach and
+// `way` what is left of the line inside it:
+//
+//     integral (a^2 - s^2) ds = way^2 (a - way / 3)
+//
+// Units:    weights [1/L^2]; shells, of crossings [L]; along [L] of the point from the closest approach,
+//           negative where that is still to come; result [L].
+// Domain:   every along.
+// Accuracy: 4 roundoffs of the largest ramp.
+// Errors:   none.
+// Source:   integrated here.
+float airlight_ramps_beyond(vec3 weights, vec3 shells, float along) {
+    vec3 way = shells - clamp(vec3(along, along, along), -shells, shells);
+    float third = 0.333333333333333333333333333333333333;
+    return airlight_dot_product(weights * way, way * (shells - third * way));
+}
+
+// The air of the absorbing layer on a line, from a point on.
+//
+// Units:    shells [L] of shells_along; along [L] of the point from the closest approach, negative where
+//           that is still to come; result [L].
+// Domain:   every along.
+// Accuracy: that of tent_ramps and lorentzian_ramps. In float a layer narrower than a twentieth of its
+//           altitude is lost in the roundoff of its ramps.
+// Errors:   none; a layer of zero width gives 0. Below the ground the layer goes on.
+// Source:   ramps_beyond.
+float airlight_ozone_beyond(airlight_Ramps ramps, airlight_Shells shells, float along) {
+    float air = 0.0;
+#if AIRLIGHT_OZONE != AIRLIGHT_OZONE_NONE
+    air = airlight_ramps_beyond(ramps.weights.first, shells.first, along);
+#endif
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
+    air += airlight_ramps_beyond(ramps.weights.second, shells.second, along);
+    air += airlight_ramps_beyond(ramps.weights.third, shells.third, along);
+    air += airlight_ramps_beyond(ramps.weights.fourth, shells.fourth, along);
+#endif
+    return max(air, 0.0);
+}
+
+// ---- outward_column ---------------------------------------------------------
 
 // The layers of an atmosphere as columns along lines need them: what depends on no line and no point.
 struct airlight_Layers {
@@ -1625,9 +1844,7 @@ struct airlight_Layers {
     float top_radius;        // [L] where the air ends
     float rayleigh_above;  // [L^2] molecules that a vertical line would meet above the top, times top_radius
     float mie_above;       // [L^2] aerosol, the same
-    vec3 ozone_shells;     // [L] altitudes of a tent's low end, centre and high end
-    vec3 ozone_bend;       // [1/L] half the curvature of these shells
-    float ozone_inverse_width;  // [1/L] one over the layer's half width, 0 where there is no layer
+    airlight_Ramps ozone;  // the absorbing layer
 };
 
 // The layers of an atmosphere.
@@ -1635,7 +1852,7 @@ struct airlight_Layers {
 // Units:    lengths in the atmosphere's unit [L].
 // Domain:   that of Atmosphere.
 // Accuracy: 3 ulp; the air above the top 4 roundoffs times top_altitude over the scale height.
-// Errors:   none; a scale height below thinnest_layer counts as that, an ozone layer of zero width as none.
+// Errors:   none; a scale height below thinnest_layer counts as that.
 // Source:   none.
 airlight_Layers airlight_layers_of(airlight_Atmosphere atmosphere) {
     float top_radius = atmosphere.ground_radius + atmosphere.top_altitude;
@@ -1649,18 +1866,6 @@ airlight_Layers airlight_layers_of(airlight_Atmosphere atmosphere) {
     mie_height = max(atmosphere.mie_scale_height, thinnest);
     mie_above = top_radius * mie_height * exp(-atmosphere.top_altitude / mie_height);
 #endif
-    vec3 shells = vec3(0.0, 0.0, 0.0);
-    vec3 bend = vec3(0.0, 0.0, 0.0);
-    float inverse_width = 0.0;
-#if AIRLIGHT_OZONE != AIRLIGHT_OZONE_NONE
-    float centre = atmosphere.ozone_altitude;
-    float width = atmosphere.ozone_half_width;
-    shells = vec3(centre - width, centre, centre + width);
-    // A shell below the centre holds none of the layer; any curvature will do for it.
-    vec3 least = vec3(1e-3, 1e-3, 1e-3) * top_radius;
-    bend = vec3(0.5, 0.5, 0.5) / max(shells + atmosphere.ground_radius, least);
-    inverse_width = width > 0.0 ? 1.0 / width : 0.0;
-#endif
     return airlight_Layers(rayleigh_height,
                            1.0 / rayleigh_height,
                            1.0 / sqrt(rayleigh_height),
@@ -1670,9 +1875,7 @@ airlight_Layers airlight_layers_of(airlight_Atmosphere atmosphere) {
                            top_radius,
                            rayleigh_above,
                            mie_above,
-                           shells,
-                           bend,
-                           inverse_width);
+                           airlight_ozone_ramps(atmosphere));
 }
 
 // The densities of the exponential layers at an altitude inside the air.
@@ -1769,118 +1972,23 @@ float airlight_exponential_from_perigee(float perigee_radius, float perigee_alti
     return density * sqrt(0.5 * airlight_pi * height * (perigee_radius + 0.75 * height));
 }
 
-// Distances of a tent's three shells from a line's closest approach, 0 for those below it.
-//
-// Units:    ground_radius and perigee_altitude [L]; result [L].
-// Shape:    the result is one distance for each of layers.ozone_shells.
-// Domain:   ground_radius > 0.
-// Accuracy: 4 roundoffs plus that of the difference of the altitudes.
-// Errors:   none.
-// Source:   difference of squares.
-vec3 airlight_shells_along(airlight_Layers layers, float ground_radius, float perigee_altitude) {
-    vec3 over = layers.ozone_shells - perigee_altitude;
-    vec3 sum = layers.ozone_shells + (2.0 * ground_radius + perigee_altitude);
-    return sqrt(max(over * sum, vec3(0.0, 0.0, 0.0)));
-}
-
-// The air of a tent on a line, from a point on.
-//
-// A tent is a second difference of ramps. A ramp is how deep the line lies below a shell, integrated
-// from the point, or from where the line enters the shell, to where it leaves it:
-//
-//     integral (k - h) ds,   k - h = y / 2 r_k + (y / 2 r_k)^2 / 2 r_k + ...,   y = shell_along^2 - s^2
-//
-// Units:    shells [L] of shells_along; along [L] of the point from the closest approach, negative where
-//           that is still to come; result [L].
-// Domain:   every along.
-// Accuracy: 3e-5 of the largest column through the layer (measured: 2.4e-5 on Earth). In float a tent
-//           narrower than a twentieth of its altitude is lost in the roundoff of its ramps.
-// Errors:   none; a layer of zero width gives 0. Below the ground the tent goes on.
-// Source:   series of the shell's radius, integrated term by term.
-float airlight_tent_beyond(airlight_Layers layers, vec3 shells, float along) {
-    vec3 from = clamp(vec3(along, along, along), -shells, shells);
-    vec3 way = shells - from;
-    vec3 bent = way * layers.ozone_bend;
-    float third = 0.333333333333333333333333333333333333;
-    vec3 order_1 = 2.0 * third * way + from;
-    vec3 order_2 = way * (1.6 * third * way + 5.0 * third * from) + 4.0 * third * from * from;
-    vec3 ramps = way * bent * (order_1 + bent * layers.ozone_bend * order_2);
-    return max(ramps.x - 2.0 * ramps.y + ramps.z, 0.0) * layers.ozone_inverse_width;
-}
-
-// The air of a Lorentz curve times the Rayleigh density on a line, from a point outwards.
-//
-// Eight points of Gauss over q with y = y_centre + width 2 q / (1 - q^2), y^2 = altitude over the closest
-// approach: y takes the square root away that the closest approach puts in, and q the curve's peak.
-//
-// Altitudes are counted from the layer's centre, where they have the most digits.
-//
-// Units:    along and altitude [L] of the point, inverse_root [L^-0.5] as in LinePoint; result [L].
-// Domain:   ground_radius > 0.
-// Accuracy: 5e-3 of the largest column through the layer (measured: 4.0e-3 with Leenman's numbers).
-// Errors:   none; a layer of zero width gives 0; what lies more than 10 half widths above the centre is
-//           left out.
-// Source:   Gauss-Legendre quadrature.
-float airlight_lorentzian_outwards(airlight_Atmosphere atmosphere, airlight_Layers layers,
-                                   float perigee_radius, float perigee_altitude, float along,
-                                   float inverse_root, float altitude) {
-    float centre = atmosphere.ozone_altitude;
-    float width = atmosphere.ozone_half_width;
-    float end = min(atmosphere.top_altitude, centre + 10.0 * width);
-    if (width <= 0.0 || altitude >= end) {
-        return 0.0;
-    }
-    float over = centre - perigee_altitude;
-    float base = max(centre, perigee_altitude);
-    float y_centre = airlight_safe_sqrt(over);
-    float spread = over > 0.0 ? 2.0 * width / (y_centre + sqrt(over + width))
-                              : 2.0 * sqrt(sqrt(width * width + over * over));
-    float y_sum = along * inverse_root + y_centre;
-    float end_sum = airlight_safe_sqrt(end - perigee_altitude) + y_centre;
-    // Nothing worth counting lies further than 1000 widths out; q keeps its digits up to there.
-    float first = y_sum > 0.0 ? clamp((altitude - base) / (y_sum * spread), -1000.0, 1000.0) : 0.0;
-    float last = end_sum > 0.0 ? clamp((end - base) / (end_sum * spread), -1000.0, 1000.0) : 0.0;
-    float q_first = first / (1.0 + sqrt(1.0 + first * first));
-    float q_way = max(last / (1.0 + sqrt(1.0 + last * last)) - q_first, 0.0);
-    float sum = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        float q = q_first + q_way * airlight_gauss_8_positions[i];
-        float stretch = 1.0 / ((1.0 - q) * (1.0 + q));
-        float y = 2.0 * spread * q * stretch;
-        float over_base = y * (y + 2.0 * y_centre);
-        float offset = (over_base + (base - centre)) * layers.ozone_inverse_width;
-        float air = exp(-max(base + over_base, 0.0) * layers.rayleigh_inverse);
-        sum += airlight_gauss_8_weights[i] * air * (1.0 + q * q) * stretch * stretch / (1.0 + offset * offset);
-    }
-    float radius = atmosphere.ground_radius + base;
-    return 4.0 * spread * q_way * sum * radius / sqrt(radius + perigee_radius);
-}
-
 // The air of a view ray or of a sun ray outwards from a point of it, away from its closest approach; a
 // difference of two is the air between two points.
 //
-// Units:    density [1] at the point; shells [L] of shells_along; result [L].
+// Units:    density [1] at the point; shells of shells_along; result [L].
 // Domain:   that of LinePoint.
-// Accuracy: that of exponential_outwards, tent_beyond and lorentzian_outwards.
+// Accuracy: that of exponential_outwards and ozone_beyond.
 // Errors:   none.
-// Source:   exponential_outwards, tent_beyond, lorentzian_outwards.
-airlight_Column airlight_column_outwards(airlight_Atmosphere atmosphere, airlight_Layers layers,
-                                         airlight_LinePoint point, vec3 shells, airlight_Density density) {
+// Source:   exponential_outwards, ozone_beyond.
+airlight_Column airlight_column_outwards(airlight_Layers layers, airlight_LinePoint point,
+                                         airlight_Shells shells, airlight_Density density) {
     float rayleigh =
         airlight_exponential_outwards(point, density.rayleigh, layers.rayleigh_height, layers.rayleigh_root);
     float mie = 0.0;
 #if AIRLIGHT_MIE
     mie = airlight_exponential_outwards(point, density.mie, layers.mie_height, layers.mie_root);
 #endif
-    float ozone = 0.0;
-#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
-    ozone = airlight_tent_beyond(layers, shells, point.along);
-#endif
-#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
-    ozone = airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
-                                         point.along, point.inverse_root, point.altitude);
-#endif
-    return airlight_Column(rayleigh, mie, ozone);
+    return airlight_Column(rayleigh, mie, airlight_ozone_beyond(layers.ozone, shells, point.along));
 }
 
 // ---- sun_column -------------------------------------------------------------
@@ -1917,31 +2025,21 @@ airlight_Column airlight_exponentials_to_sun(airlight_Layers layers, airlight_Li
 
 // The absorbing layer from a point to the sun.
 //
-// Units:    result [L].
+// Units:    ground_radius [L]; result [L].
 // Domain:   that of exponentials_to_sun.
-// Accuracy: that of tent_beyond and lorentzian_outwards.
-// Errors:   none; without an absorbing layer 0; a tent that reaches above the top of the air counts whole.
-// Source:   tent_beyond, lorentzian_outwards.
-float airlight_ozone_to_sun(airlight_Atmosphere atmosphere, airlight_Layers layers, airlight_LinePoint point,
+// Accuracy: that of ozone_beyond.
+// Errors:   none; without an absorbing layer 0; a layer that reaches above the top of the air counts whole.
+// Source:   ozone_beyond.
+float airlight_ozone_to_sun(airlight_Layers layers, float ground_radius, airlight_LinePoint point,
                             bool sinks) {
-    float air = 0.0;
-#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
-    if (!sinks && point.altitude >= layers.ozone_shells.z) {
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_NONE
+    return 0.0;
+#endif
+    if (!sinks && point.altitude >= layers.ozone.ceiling) {
         return 0.0;
     }
-    vec3 shells = airlight_shells_along(layers, atmosphere.ground_radius, point.perigee_altitude);
-    air = airlight_tent_beyond(layers, shells, sinks ? -point.along : point.along);
-#endif
-#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
-    air = airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
-                                       point.along, point.inverse_root, point.altitude);
-    if (sinks) {
-        air = 2.0 * airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius,
-                                                 point.perigee_altitude, 0.0, 0.0, point.perigee_altitude) -
-              air;
-    }
-#endif
-    return max(air, 0.0);
+    airlight_Shells shells = airlight_shells_along(layers.ozone, ground_radius, point.perigee_altitude);
+    return airlight_ozone_beyond(layers.ozone, shells, sinks ? -point.along : point.along);
 }
 
 // The air from a point to the sun.
@@ -1949,15 +2047,15 @@ float airlight_ozone_to_sun(airlight_Atmosphere atmosphere, airlight_Layers laye
 // The air above the top, were there any, is taken off: for a line that is straight over a scale
 // height, bounded where it grazes the top.
 //
-// Units:    density [1] at the point; result [L].
+// Units:    density [1] at the point; ground_radius and result [L].
 // Domain:   that of LinePoint; a point inside the air; `sinks` where the line first comes closer to the
 //           centre.
 // Accuracy: as light sees it, exp of minus the optical depth: 5e-6 on Earth, in float too (measured:
 //           3.3e-6, ozone and a top at 60 km included); ozone of the Lorentz curve by ozone_to_sun.
 // Errors:   none; ignores the ground.
 // Source:   exponentials_to_sun, ozone_to_sun.
-airlight_Column airlight_column_to_sun(airlight_Atmosphere atmosphere, airlight_Layers layers,
-                                       airlight_LinePoint point, bool sinks, airlight_Density density) {
+airlight_Column airlight_column_to_sun(airlight_Layers layers, float ground_radius, airlight_LinePoint point,
+                                       bool sinks, airlight_Density density) {
     airlight_Column endless = airlight_exponentials_to_sun(layers, point, sinks, density);
     float square = max(
         (layers.top_radius - point.perigee_radius) * (layers.top_radius + point.perigee_radius), 0.0);
@@ -1967,7 +2065,7 @@ airlight_Column airlight_column_to_sun(airlight_Atmosphere atmosphere, airlight_
 #if AIRLIGHT_MIE
     mie = max(endless.mie - layers.mie_above * slant, 0.0);
 #endif
-    return airlight_Column(rayleigh, mie, airlight_ozone_to_sun(atmosphere, layers, point, sinks));
+    return airlight_Column(rayleigh, mie, airlight_ozone_to_sun(layers, ground_radius, point, sinks));
 }
 
 // ---- optical_depth ----------------------------------------------------------
@@ -2110,7 +2208,7 @@ struct airlight_LitRay {
     airlight_AirRay air;       // its stretch in the air
     airlight_SunOverLine sun;  // the sun over it
     airlight_Layers layers;    // of the atmosphere
-    vec3 shells;               // [L] its shells_along
+    airlight_Shells shells;    // [L] its shells_along
     vec3 rayleigh_source;      // [1/(L sr)] scattered towards the eye by molecules of density 1
     vec3 mie_source;           // [1/(L sr)] the same by the aerosol
 };
@@ -2126,10 +2224,8 @@ airlight_LitRay airlight_lit_ray(airlight_Atmosphere atmosphere, airlight_AirRay
                                  vec3 direction, vec3 to_sun) {
     airlight_SunOverLine sun = airlight_sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
     airlight_Layers layers = airlight_layers_of(atmosphere);
-    vec3 shells = vec3(0.0, 0.0, 0.0);
-#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
-    shells = airlight_shells_along(layers, atmosphere.ground_radius, air.perigee_altitude);
-#endif
+    airlight_Shells shells =
+        airlight_shells_along(layers.ozone, atmosphere.ground_radius, air.perigee_altitude);
     vec3 rayleigh_source = atmosphere.rayleigh_scattering * airlight_rayleigh_phase(sun.cos_theta);
     vec3 mie_source = vec3(0.0, 0.0, 0.0);
 #if AIRLIGHT_MIE
@@ -2160,7 +2256,7 @@ airlight_RayPoint airlight_ray_point(airlight_Atmosphere atmosphere, airlight_Li
     airlight_LinePoint point = airlight_line_point(altitude, radius, 1.0 / radius, abs(ray.air.along + t),
                                                    ray.air.perigee_radius, ray.air.perigee_altitude);
     return airlight_RayPoint(altitude, density,
-                             airlight_column_outwards(atmosphere, ray.layers, point, ray.shells, density));
+                             airlight_column_outwards(ray.layers, point, ray.shells, density));
 }
 
 // The optical depth that the nodes follow: mostly red's, which is what is left of light that has come far.
@@ -2221,11 +2317,11 @@ vec3 airlight_node_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray,
     airlight_LinePoint on_ray =
         airlight_line_point(altitude, radius, inverse_radius, along, ray.air.perigee_radius,
                             ray.air.perigee_altitude);
-    airlight_Column beyond = airlight_column_outwards(atmosphere, ray.layers, on_ray, ray.shells, density);
+    airlight_Column beyond = airlight_column_outwards(ray.layers, on_ray, ray.shells, density);
     float sun_height = ray.sun.perigee_height + outwards * along * ray.sun.cos_theta;
     airlight_LinePoint to_sun = airlight_line_towards_sun(altitude, radius, inverse_radius, sun_height);
     airlight_Column sunlit =
-        airlight_column_to_sun(atmosphere, ray.layers, to_sun, sun_height < 0.0, density);
+        airlight_column_to_sun(ray.layers, atmosphere.ground_radius, to_sun, sun_height < 0.0, density);
     airlight_Column passed = airlight_column_sum(airlight_column_sum(offset, -outwards, beyond), 1.0, sunlit);
     vec3 depth = airlight_column_optical_depth(atmosphere, passed);
     vec3 source = ray.rayleigh_source * density.rayleigh;
@@ -2299,7 +2395,7 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
 #if AIRLIGHT_OZONE != AIRLIGHT_OZONE_NONE
     vec3 absorption = atmosphere.ozone_absorption;
     if (absorption.x + absorption.y + absorption.z > 0.0) {
-        dusk = airlight_shadow_span(radius, air.perigee_altitude, ray.sun, ray.layers.ozone_shells.z);
+        dusk = airlight_shadow_span(radius, air.perigee_altitude, ray.sun, ray.layers.ozone.edge);
     }
 #endif
 #endif

@@ -2,11 +2,7 @@
 #ifndef AIRLIGHT_OUTWARD_COLUMN_GLSL
 #define AIRLIGHT_OUTWARD_COLUMN_GLSL
 
-#include "airlight/column.glsl"
-
-// The thinnest layer that columns are formed for, over the radius of the top of the air [1]; a
-// thinner one, 6 mm on Earth, counts as that.
-const float airlight_thinnest_layer = 1e-9;
+#include "airlight/ozone_ramps.glsl"
 
 // The layers of an atmosphere as columns along lines need them: what depends on no line and no point.
 struct airlight_Layers {
@@ -19,9 +15,7 @@ struct airlight_Layers {
     float top_radius;        // [L] where the air ends
     float rayleigh_above;  // [L^2] molecules that a vertical line would meet above the top, times top_radius
     float mie_above;       // [L^2] aerosol, the same
-    vec3 ozone_shells;     // [L] altitudes of a tent's low end, centre and high end
-    vec3 ozone_bend;       // [1/L] half the curvature of these shells
-    float ozone_inverse_width;  // [1/L] one over the layer's half width, 0 where there is no layer
+    airlight_Ramps ozone;  // the absorbing layer
 };
 
 // The layers of an atmosphere.
@@ -29,7 +23,7 @@ struct airlight_Layers {
 // Units:    lengths in the atmosphere's unit [L].
 // Domain:   that of Atmosphere.
 // Accuracy: 3 ulp; the air above the top 4 roundoffs times top_altitude over the scale height.
-// Errors:   none; a scale height below thinnest_layer counts as that, an ozone layer of zero width as none.
+// Errors:   none; a scale height below thinnest_layer counts as that.
 // Source:   none.
 airlight_Layers airlight_layers_of(airlight_Atmosphere atmosphere) {
     float top_radius = atmosphere.ground_radius + atmosphere.top_altitude;
@@ -43,18 +37,6 @@ airlight_Layers airlight_layers_of(airlight_Atmosphere atmosphere) {
     mie_height = max(atmosphere.mie_scale_height, thinnest);
     mie_above = top_radius * mie_height * exp(-atmosphere.top_altitude / mie_height);
 #endif
-    vec3 shells = vec3(0.0, 0.0, 0.0);
-    vec3 bend = vec3(0.0, 0.0, 0.0);
-    float inverse_width = 0.0;
-#if AIRLIGHT_OZONE != AIRLIGHT_OZONE_NONE
-    float centre = atmosphere.ozone_altitude;
-    float width = atmosphere.ozone_half_width;
-    shells = vec3(centre - width, centre, centre + width);
-    // A shell below the centre holds none of the layer; any curvature will do for it.
-    vec3 least = vec3(1e-3, 1e-3, 1e-3) * top_radius;
-    bend = vec3(0.5, 0.5, 0.5) / max(shells + atmosphere.ground_radius, least);
-    inverse_width = width > 0.0 ? 1.0 / width : 0.0;
-#endif
     return airlight_Layers(rayleigh_height,
                            1.0 / rayleigh_height,
                            1.0 / sqrt(rayleigh_height),
@@ -64,9 +46,7 @@ airlight_Layers airlight_layers_of(airlight_Atmosphere atmosphere) {
                            top_radius,
                            rayleigh_above,
                            mie_above,
-                           shells,
-                           bend,
-                           inverse_width);
+                           airlight_ozone_ramps(atmosphere));
 }
 
 // The densities of the exponential layers at an altitude inside the air.
@@ -163,118 +143,23 @@ float airlight_exponential_from_perigee(float perigee_radius, float perigee_alti
     return density * sqrt(0.5 * airlight_pi * height * (perigee_radius + 0.75 * height));
 }
 
-// Distances of a tent's three shells from a line's closest approach, 0 for those below it.
-//
-// Units:    ground_radius and perigee_altitude [L]; result [L].
-// Shape:    the result is one distance for each of layers.ozone_shells.
-// Domain:   ground_radius > 0.
-// Accuracy: 4 roundoffs plus that of the difference of the altitudes.
-// Errors:   none.
-// Source:   difference of squares.
-vec3 airlight_shells_along(airlight_Layers layers, float ground_radius, float perigee_altitude) {
-    vec3 over = layers.ozone_shells - perigee_altitude;
-    vec3 sum = layers.ozone_shells + (2.0 * ground_radius + perigee_altitude);
-    return sqrt(max(over * sum, vec3(0.0, 0.0, 0.0)));
-}
-
-// The air of a tent on a line, from a point on.
-//
-// A tent is a second difference of ramps. A ramp is how deep the line lies below a shell, integrated
-// from the point, or from where the line enters the shell, to where it leaves it:
-//
-//     integral (k - h) ds,   k - h = y / 2 r_k + (y / 2 r_k)^2 / 2 r_k + ...,   y = shell_along^2 - s^2
-//
-// Units:    shells [L] of shells_along; along [L] of the point from the closest approach, negative where
-//           that is still to come; result [L].
-// Domain:   every along.
-// Accuracy: 3e-5 of the largest column through the layer (measured: 2.4e-5 on Earth). In float a tent
-//           narrower than a twentieth of its altitude is lost in the roundoff of its ramps.
-// Errors:   none; a layer of zero width gives 0. Below the ground the tent goes on.
-// Source:   series of the shell's radius, integrated term by term.
-float airlight_tent_beyond(airlight_Layers layers, vec3 shells, float along) {
-    vec3 from = clamp(vec3(along, along, along), -shells, shells);
-    vec3 way = shells - from;
-    vec3 bent = way * layers.ozone_bend;
-    float third = 0.333333333333333333333333333333333333;
-    vec3 order_1 = 2.0 * third * way + from;
-    vec3 order_2 = way * (1.6 * third * way + 5.0 * third * from) + 4.0 * third * from * from;
-    vec3 ramps = way * bent * (order_1 + bent * layers.ozone_bend * order_2);
-    return max(ramps.x - 2.0 * ramps.y + ramps.z, 0.0) * layers.ozone_inverse_width;
-}
-
-// The air of a Lorentz curve times the Rayleigh density on a line, from a point outwards.
-//
-// Eight points of Gauss over q with y = y_centre + width 2 q / (1 - q^2), y^2 = altitude over the closest
-// approach: y takes the square root away that the closest approach puts in, and q the curve's peak.
-//
-// Altitudes are counted from the layer's centre, where they have the most digits.
-//
-// Units:    along and altitude [L] of the point, inverse_root [L^-0.5] as in LinePoint; result [L].
-// Domain:   ground_radius > 0.
-// Accuracy: 5e-3 of the largest column through the layer (measured: 4.0e-3 with Leenman's numbers).
-// Errors:   none; a layer of zero width gives 0; what lies more than 10 half widths above the centre is
-//           left out.
-// Source:   Gauss-Legendre quadrature.
-float airlight_lorentzian_outwards(airlight_Atmosphere atmosphere, airlight_Layers layers,
-                                   float perigee_radius, float perigee_altitude, float along,
-                                   float inverse_root, float altitude) {
-    float centre = atmosphere.ozone_altitude;
-    float width = atmosphere.ozone_half_width;
-    float end = min(atmosphere.top_altitude, centre + 10.0 * width);
-    if (width <= 0.0 || altitude >= end) {
-        return 0.0;
-    }
-    float over = centre - perigee_altitude;
-    float base = max(centre, perigee_altitude);
-    float y_centre = airlight_safe_sqrt(over);
-    float spread = over > 0.0 ? 2.0 * width / (y_centre + sqrt(over + width))
-                              : 2.0 * sqrt(sqrt(width * width + over * over));
-    float y_sum = along * inverse_root + y_centre;
-    float end_sum = airlight_safe_sqrt(end - perigee_altitude) + y_centre;
-    // Nothing worth counting lies further than 1000 widths out; q keeps its digits up to there.
-    float first = y_sum > 0.0 ? clamp((altitude - base) / (y_sum * spread), -1000.0, 1000.0) : 0.0;
-    float last = end_sum > 0.0 ? clamp((end - base) / (end_sum * spread), -1000.0, 1000.0) : 0.0;
-    float q_first = first / (1.0 + sqrt(1.0 + first * first));
-    float q_way = max(last / (1.0 + sqrt(1.0 + last * last)) - q_first, 0.0);
-    float sum = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        float q = q_first + q_way * airlight_gauss_8_positions[i];
-        float stretch = 1.0 / ((1.0 - q) * (1.0 + q));
-        float y = 2.0 * spread * q * stretch;
-        float over_base = y * (y + 2.0 * y_centre);
-        float offset = (over_base + (base - centre)) * layers.ozone_inverse_width;
-        float air = exp(-max(base + over_base, 0.0) * layers.rayleigh_inverse);
-        sum += airlight_gauss_8_weights[i] * air * (1.0 + q * q) * stretch * stretch / (1.0 + offset * offset);
-    }
-    float radius = atmosphere.ground_radius + base;
-    return 4.0 * spread * q_way * sum * radius / sqrt(radius + perigee_radius);
-}
-
 // The air of a view ray or of a sun ray outwards from a point of it, away from its closest approach; a
 // difference of two is the air between two points.
 //
-// Units:    density [1] at the point; shells [L] of shells_along; result [L].
+// Units:    density [1] at the point; shells of shells_along; result [L].
 // Domain:   that of LinePoint.
-// Accuracy: that of exponential_outwards, tent_beyond and lorentzian_outwards.
+// Accuracy: that of exponential_outwards and ozone_beyond.
 // Errors:   none.
-// Source:   exponential_outwards, tent_beyond, lorentzian_outwards.
-airlight_Column airlight_column_outwards(airlight_Atmosphere atmosphere, airlight_Layers layers,
-                                         airlight_LinePoint point, vec3 shells, airlight_Density density) {
+// Source:   exponential_outwards, ozone_beyond.
+airlight_Column airlight_column_outwards(airlight_Layers layers, airlight_LinePoint point,
+                                         airlight_Shells shells, airlight_Density density) {
     float rayleigh =
         airlight_exponential_outwards(point, density.rayleigh, layers.rayleigh_height, layers.rayleigh_root);
     float mie = 0.0;
 #if AIRLIGHT_MIE
     mie = airlight_exponential_outwards(point, density.mie, layers.mie_height, layers.mie_root);
 #endif
-    float ozone = 0.0;
-#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
-    ozone = airlight_tent_beyond(layers, shells, point.along);
-#endif
-#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
-    ozone = airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
-                                         point.along, point.inverse_root, point.altitude);
-#endif
-    return airlight_Column(rayleigh, mie, ozone);
+    return airlight_Column(rayleigh, mie, airlight_ozone_beyond(layers.ozone, shells, point.along));
 }
 
 #endif

@@ -43,7 +43,7 @@ struct airlight_LitRay {
     airlight_AirRay air;       // its stretch in the air
     airlight_SunOverLine sun;  // the sun over it
     airlight_Layers layers;    // of the atmosphere
-    vec3 shells;               // [L] its shells_along
+    airlight_Shells shells;    // [L] its shells_along
     vec3 rayleigh_source;      // [1/(L sr)] scattered towards the eye by molecules of density 1
     vec3 mie_source;           // [1/(L sr)] the same by the aerosol
 };
@@ -59,10 +59,8 @@ airlight_LitRay airlight_lit_ray(airlight_Atmosphere atmosphere, airlight_AirRay
                                  vec3 direction, vec3 to_sun) {
     airlight_SunOverLine sun = airlight_sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
     airlight_Layers layers = airlight_layers_of(atmosphere);
-    vec3 shells = vec3(0.0, 0.0, 0.0);
-#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
-    shells = airlight_shells_along(layers, atmosphere.ground_radius, air.perigee_altitude);
-#endif
+    airlight_Shells shells =
+        airlight_shells_along(layers.ozone, atmosphere.ground_radius, air.perigee_altitude);
     vec3 rayleigh_source = atmosphere.rayleigh_scattering * airlight_rayleigh_phase(sun.cos_theta);
     vec3 mie_source = vec3(0.0, 0.0, 0.0);
 #if AIRLIGHT_MIE
@@ -93,7 +91,7 @@ airlight_RayPoint airlight_ray_point(airlight_Atmosphere atmosphere, airlight_Li
     airlight_LinePoint point = airlight_line_point(altitude, radius, 1.0 / radius, abs(ray.air.along + t),
                                                    ray.air.perigee_radius, ray.air.perigee_altitude);
     return airlight_RayPoint(altitude, density,
-                             airlight_column_outwards(atmosphere, ray.layers, point, ray.shells, density));
+                             airlight_column_outwards(ray.layers, point, ray.shells, density));
 }
 
 // The optical depth that the nodes follow: mostly red's, which is what is left of light that has come far.
@@ -154,11 +152,11 @@ vec3 airlight_node_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray,
     airlight_LinePoint on_ray =
         airlight_line_point(altitude, radius, inverse_radius, along, ray.air.perigee_radius,
                             ray.air.perigee_altitude);
-    airlight_Column beyond = airlight_column_outwards(atmosphere, ray.layers, on_ray, ray.shells, density);
+    airlight_Column beyond = airlight_column_outwards(ray.layers, on_ray, ray.shells, density);
     float sun_height = ray.sun.perigee_height + outwards * along * ray.sun.cos_theta;
     airlight_LinePoint to_sun = airlight_line_towards_sun(altitude, radius, inverse_radius, sun_height);
     airlight_Column sunlit =
-        airlight_column_to_sun(atmosphere, ray.layers, to_sun, sun_height < 0.0, density);
+        airlight_column_to_sun(ray.layers, atmosphere.ground_radius, to_sun, sun_height < 0.0, density);
     airlight_Column passed = airlight_column_sum(airlight_column_sum(offset, -outwards, beyond), 1.0, sunlit);
     vec3 depth = airlight_column_optical_depth(atmosphere, passed);
     vec3 source = ray.rayleigh_source * density.rayleigh;
@@ -232,7 +230,7 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
 #if AIRLIGHT_OZONE != AIRLIGHT_OZONE_NONE
     vec3 absorption = atmosphere.ozone_absorption;
     if (absorption.x + absorption.y + absorption.z > 0.0) {
-        dusk = airlight_shadow_span(radius, air.perigee_altitude, ray.sun, ray.layers.ozone_shells.z);
+        dusk = airlight_shadow_span(radius, air.perigee_altitude, ray.sun, ray.layers.ozone.edge);
     }
 #endif
 #endif

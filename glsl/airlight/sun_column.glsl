@@ -36,31 +36,21 @@ airlight_Column airlight_exponentials_to_sun(airlight_Layers layers, airlight_Li
 
 // The absorbing layer from a point to the sun.
 //
-// Units:    result [L].
+// Units:    ground_radius [L]; result [L].
 // Domain:   that of exponentials_to_sun.
-// Accuracy: that of tent_beyond and lorentzian_outwards.
-// Errors:   none; without an absorbing layer 0; a tent that reaches above the top of the air counts whole.
-// Source:   tent_beyond, lorentzian_outwards.
-float airlight_ozone_to_sun(airlight_Atmosphere atmosphere, airlight_Layers layers, airlight_LinePoint point,
+// Accuracy: that of ozone_beyond.
+// Errors:   none; without an absorbing layer 0; a layer that reaches above the top of the air counts whole.
+// Source:   ozone_beyond.
+float airlight_ozone_to_sun(airlight_Layers layers, float ground_radius, airlight_LinePoint point,
                             bool sinks) {
-    float air = 0.0;
-#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_TENT
-    if (!sinks && point.altitude >= layers.ozone_shells.z) {
+#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_NONE
+    return 0.0;
+#endif
+    if (!sinks && point.altitude >= layers.ozone.ceiling) {
         return 0.0;
     }
-    vec3 shells = airlight_shells_along(layers, atmosphere.ground_radius, point.perigee_altitude);
-    air = airlight_tent_beyond(layers, shells, sinks ? -point.along : point.along);
-#endif
-#if AIRLIGHT_OZONE == AIRLIGHT_OZONE_LORENTZIAN
-    air = airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
-                                       point.along, point.inverse_root, point.altitude);
-    if (sinks) {
-        air = 2.0 * airlight_lorentzian_outwards(atmosphere, layers, point.perigee_radius,
-                                                 point.perigee_altitude, 0.0, 0.0, point.perigee_altitude) -
-              air;
-    }
-#endif
-    return max(air, 0.0);
+    airlight_Shells shells = airlight_shells_along(layers.ozone, ground_radius, point.perigee_altitude);
+    return airlight_ozone_beyond(layers.ozone, shells, sinks ? -point.along : point.along);
 }
 
 // The air from a point to the sun.
@@ -68,15 +58,15 @@ float airlight_ozone_to_sun(airlight_Atmosphere atmosphere, airlight_Layers laye
 // The air above the top, were there any, is taken off: for a line that is straight over a scale
 // height, bounded where it grazes the top.
 //
-// Units:    density [1] at the point; result [L].
+// Units:    density [1] at the point; ground_radius and result [L].
 // Domain:   that of LinePoint; a point inside the air; `sinks` where the line first comes closer to the
 //           centre.
 // Accuracy: as light sees it, exp of minus the optical depth: 5e-6 on Earth, in float too (measured:
 //           3.3e-6, ozone and a top at 60 km included); ozone of the Lorentz curve by ozone_to_sun.
 // Errors:   none; ignores the ground.
 // Source:   exponentials_to_sun, ozone_to_sun.
-airlight_Column airlight_column_to_sun(airlight_Atmosphere atmosphere, airlight_Layers layers,
-                                       airlight_LinePoint point, bool sinks, airlight_Density density) {
+airlight_Column airlight_column_to_sun(airlight_Layers layers, float ground_radius, airlight_LinePoint point,
+                                       bool sinks, airlight_Density density) {
     airlight_Column endless = airlight_exponentials_to_sun(layers, point, sinks, density);
     float square = max(
         (layers.top_radius - point.perigee_radius) * (layers.top_radius + point.perigee_radius), 0.0);
@@ -86,7 +76,7 @@ airlight_Column airlight_column_to_sun(airlight_Atmosphere atmosphere, airlight_
 #if AIRLIGHT_MIE
     mie = max(endless.mie - layers.mie_above * slant, 0.0);
 #endif
-    return airlight_Column(rayleigh, mie, airlight_ozone_to_sun(atmosphere, layers, point, sinks));
+    return airlight_Column(rayleigh, mie, airlight_ozone_to_sun(layers, ground_radius, point, sinks));
 }
 
 #endif

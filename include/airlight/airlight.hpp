@@ -28,6 +28,7 @@
 #include <airlight/planet_shadow.hpp>
 
 #include <airlight/outward_column.hpp>
+#include <airlight/ozone_ramps.hpp>
 #include <airlight/sun_column.hpp>
 
 #include <airlight/optical_depth.hpp>

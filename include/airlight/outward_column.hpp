@@ -1,13 +1,8 @@
 #pragma once
 
-#include <airlight/column.hpp>
+#include <airlight/ozone_ramps.hpp>
 
 namespace airlight {
-
-/// The thinnest layer that columns are formed for, over the radius of the top of the air [1]; a
-/// thinner one, 6 mm on Earth, counts as that.
-template <typename T>
-inline constexpr T thinnest_layer = T(1e-9L);
 
 /// The layers of an atmosphere as columns along lines need them: what depends on no line and no point.
 template <typename T>
@@ -21,9 +16,7 @@ struct Layers {
     T top_radius;        ///< [L] where the air ends
     T rayleigh_above;    ///< [L^2] molecules that a vertical line would meet above the top, times top_radius
     T mie_above;         ///< [L^2] aerosol, the same
-    vec3<T> ozone_shells;   ///< [L] altitudes of a tent's low end, centre and high end
-    vec3<T> ozone_bend;     ///< [1/L] half the curvature of these shells
-    T ozone_inverse_width;  ///< [1/L] one over the layer's half width, 0 where there is no layer
+    Ramps<T> ozone;      ///< the absorbing layer
 };
 
 /// The layers of an atmosphere.
@@ -31,7 +24,7 @@ struct Layers {
 /// Units:    lengths in the atmosphere's unit [L].
 /// Domain:   that of Atmosphere.
 /// Accuracy: 3 ulp; the air above the top 4 roundoffs times top_altitude over the scale height.
-/// Errors:   none; a scale height below thinnest_layer counts as that, an ozone layer of zero width as none.
+/// Errors:   none; a scale height below thinnest_layer counts as that.
 /// Source:   none.
 template <typename T, typename Scene = DefaultScene>
 inline Layers<T> layers_of(const Atmosphere<T>& atmosphere) {
@@ -46,18 +39,6 @@ inline Layers<T> layers_of(const Atmosphere<T>& atmosphere) {
         mie_height = glm::max(atmosphere.mie_scale_height, thinnest);
         mie_above = top_radius * mie_height * glm::exp(-atmosphere.top_altitude / mie_height);
     }
-    vec3<T> shells = vec3<T>(T(0), T(0), T(0));
-    vec3<T> bend = vec3<T>(T(0), T(0), T(0));
-    T inverse_width = T(0);
-    if constexpr (Scene::ozone != ozone_none) {
-        const T centre = atmosphere.ozone_altitude;
-        const T width = atmosphere.ozone_half_width;
-        shells = vec3<T>(centre - width, centre, centre + width);
-        // A shell below the centre holds none of the layer; any curvature will do for it.
-        const vec3<T> least = vec3<T>(T(1e-3L), T(1e-3L), T(1e-3L)) * top_radius;
-        bend = vec3<T>(T(0.5), T(0.5), T(0.5)) / glm::max(shells + atmosphere.ground_radius, least);
-        inverse_width = width > T(0) ? T(1) / width : T(0);
-    }
     return Layers<T>{rayleigh_height,
                      T(1) / rayleigh_height,
                      T(1) / glm::sqrt(rayleigh_height),
@@ -67,9 +48,7 @@ inline Layers<T> layers_of(const Atmosphere<T>& atmosphere) {
                      top_radius,
                      rayleigh_above,
                      mie_above,
-                     shells,
-                     bend,
-                     inverse_width};
+                     ozone_ramps<T, Scene>(atmosphere)};
 }
 
 /// The densities of the exponential layers at an altitude inside the air.
@@ -170,106 +149,16 @@ inline T exponential_from_perigee(T perigee_radius, T perigee_altitude, T height
     return density * glm::sqrt(T(0.5) * pi<T> * height * (perigee_radius + T(0.75) * height));
 }
 
-/// Distances of a tent's three shells from a line's closest approach, 0 for those below it.
-///
-/// Units:    ground_radius and perigee_altitude [L]; result [L].
-/// Shape:    the result is one distance for each of layers.ozone_shells.
-/// Domain:   ground_radius > 0.
-/// Accuracy: 4 roundoffs plus that of the difference of the altitudes.
-/// Errors:   none.
-/// Source:   difference of squares.
-template <typename T>
-inline vec3<T> shells_along(const Layers<T>& layers, T ground_radius, T perigee_altitude) {
-    const vec3<T> over = layers.ozone_shells - perigee_altitude;
-    const vec3<T> sum = layers.ozone_shells + (T(2) * ground_radius + perigee_altitude);
-    return glm::sqrt(glm::max(over * sum, vec3<T>(T(0), T(0), T(0))));
-}
-
-/// The air of a tent on a line, from a point on.
-///
-/// A tent is a second difference of ramps. A ramp is how deep the line lies below a shell, integrated
-/// from the point, or from where the line enters the shell, to where it leaves it:
-///
-///     integral (k - h) ds,   k - h = y / 2 r_k + (y / 2 r_k)^2 / 2 r_k + ...,   y = shell_along^2 - s^2
-///
-/// Units:    shells [L] of shells_along; along [L] of the point from the closest approach, negative where
-///           that is still to come; result [L].
-/// Domain:   every along.
-/// Accuracy: 3e-5 of the largest column through the layer (measured: 2.4e-5 on Earth). In float a tent
-///           narrower than a twentieth of its altitude is lost in the roundoff of its ramps.
-/// Errors:   none; a layer of zero width gives 0. Below the ground the tent goes on.
-/// Source:   series of the shell's radius, integrated term by term.
-template <typename T>
-inline T tent_beyond(const Layers<T>& layers, const vec3<T>& shells, T along) {
-    const vec3<T> from = glm::clamp(vec3<T>(along, along, along), -shells, shells);
-    const vec3<T> way = shells - from;
-    const vec3<T> bent = way * layers.ozone_bend;
-    const T third = T(0.333333333333333333333333333333333333L);
-    const vec3<T> order_1 = T(2) * third * way + from;
-    const vec3<T> order_2 = way * (T(1.6L) * third * way + T(5) * third * from) + T(4) * third * from * from;
-    const vec3<T> ramps = way * bent * (order_1 + bent * layers.ozone_bend * order_2);
-    return glm::max(ramps.x - T(2) * ramps.y + ramps.z, T(0)) * layers.ozone_inverse_width;
-}
-
-/// The air of a Lorentz curve times the Rayleigh density on a line, from a point outwards.
-///
-/// Eight points of Gauss over q with y = y_centre + width 2 q / (1 - q^2), y^2 = altitude over the closest
-/// approach: y takes the square root away that the closest approach puts in, and q the curve's peak.
-///
-/// Altitudes are counted from the layer's centre, where they have the most digits.
-///
-/// Units:    along and altitude [L] of the point, inverse_root [L^-0.5] as in LinePoint; result [L].
-/// Domain:   ground_radius > 0.
-/// Accuracy: 5e-3 of the largest column through the layer (measured: 4.0e-3 with Leenman's numbers).
-/// Errors:   none; a layer of zero width gives 0; what lies more than 10 half widths above the centre is
-///           left out.
-/// Source:   Gauss-Legendre quadrature.
-template <typename T>
-inline T lorentzian_outwards(const Atmosphere<T>& atmosphere, const Layers<T>& layers, T perigee_radius,
-                             T perigee_altitude, T along, T inverse_root, T altitude) {
-    const T centre = atmosphere.ozone_altitude;
-    const T width = atmosphere.ozone_half_width;
-    const T end = glm::min(atmosphere.top_altitude, centre + T(10) * width);
-    if (width <= T(0) || altitude >= end) {
-        return T(0);
-    }
-    const T over = centre - perigee_altitude;
-    const T base = glm::max(centre, perigee_altitude);
-    const T y_centre = safe_sqrt(over);
-    const T spread = over > T(0) ? T(2) * width / (y_centre + glm::sqrt(over + width))
-                                 : T(2) * glm::sqrt(glm::sqrt(width * width + over * over));
-    const T y_sum = along * inverse_root + y_centre;
-    const T end_sum = safe_sqrt(end - perigee_altitude) + y_centre;
-    // Nothing worth counting lies further than 1000 widths out; q keeps its digits up to there.
-    const T first = y_sum > T(0) ? glm::clamp((altitude - base) / (y_sum * spread), T(-1000), T(1000)) : T(0);
-    const T last = end_sum > T(0) ? glm::clamp((end - base) / (end_sum * spread), T(-1000), T(1000)) : T(0);
-    const T q_first = first / (T(1) + glm::sqrt(T(1) + first * first));
-    const T q_way = glm::max(last / (T(1) + glm::sqrt(T(1) + last * last)) - q_first, T(0));
-    T sum = T(0);
-    for (int i = 0; i < 8; ++i) {
-        const T q = q_first + q_way * gauss_8_positions<T>[i];
-        const T stretch = T(1) / ((T(1) - q) * (T(1) + q));
-        const T y = T(2) * spread * q * stretch;
-        const T over_base = y * (y + T(2) * y_centre);
-        const T offset = (over_base + (base - centre)) * layers.ozone_inverse_width;
-        const T air = glm::exp(-glm::max(base + over_base, T(0)) * layers.rayleigh_inverse);
-        sum += gauss_8_weights<T>[i] * air * (T(1) + q * q) * stretch * stretch / (T(1) + offset * offset);
-    }
-    const T radius = atmosphere.ground_radius + base;
-    return T(4) * spread * q_way * sum * radius / glm::sqrt(radius + perigee_radius);
-}
-
 /// The air of a view ray or of a sun ray outwards from a point of it, away from its closest approach; a
 /// difference of two is the air between two points.
 ///
-/// Units:    density [1] at the point; shells [L] of shells_along; result [L].
+/// Units:    density [1] at the point; shells of shells_along; result [L].
 /// Domain:   that of LinePoint.
-/// Accuracy: that of exponential_outwards, tent_beyond and lorentzian_outwards.
+/// Accuracy: that of exponential_outwards and ozone_beyond.
 /// Errors:   none.
-/// Source:   exponential_outwards, tent_beyond, lorentzian_outwards.
+/// Source:   exponential_outwards, ozone_beyond.
 template <typename T, typename Scene = DefaultScene>
-inline Column<T> column_outwards(const Atmosphere<T>& atmosphere, const Layers<T>& layers,
-                                 const LinePoint<T>& point, const vec3<T>& shells,
+inline Column<T> column_outwards(const Layers<T>& layers, const LinePoint<T>& point, const Shells<T>& shells,
                                  const Density<T>& density) {
     const T rayleigh =
         exponential_outwards(point, density.rayleigh, layers.rayleigh_height, layers.rayleigh_root);
@@ -277,15 +166,7 @@ inline Column<T> column_outwards(const Atmosphere<T>& atmosphere, const Layers<T
     if constexpr (Scene::mie) {
         mie = exponential_outwards(point, density.mie, layers.mie_height, layers.mie_root);
     }
-    T ozone = T(0);
-    if constexpr (Scene::ozone == ozone_tent) {
-        ozone = tent_beyond(layers, shells, point.along);
-    }
-    if constexpr (Scene::ozone == ozone_lorentzian) {
-        ozone = lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
-                                    point.along, point.inverse_root, point.altitude);
-    }
-    return Column<T>{rayleigh, mie, ozone};
+    return Column<T>{rayleigh, mie, ozone_beyond<T, Scene>(layers.ozone, shells, point.along)};
 }
 
 }  // namespace airlight

@@ -40,7 +40,7 @@ struct LitRay {
     AirRay<T> air;            ///< its stretch in the air
     SunOverLine<T> sun;       ///< the sun over it
     Layers<T> layers;         ///< of the atmosphere
-    vec3<T> shells;           ///< [L] its shells_along
+    Shells<T> shells;         ///< [L] its shells_along
     vec3<T> rayleigh_source;  ///< [1/(L sr)] scattered towards the eye by molecules of density 1
     vec3<T> mie_source;       ///< [1/(L sr)] the same by the aerosol
 };
@@ -53,14 +53,12 @@ struct LitRay {
 /// Errors:   none.
 /// Source:   sun_over_line, layers_of, rayleigh_phase, mie_phase.
 template <typename T, typename Scene = DefaultScene>
-LitRay<T> lit_ray(const Atmosphere<T>& atmosphere, const AirRay<T>& air, const Viewpoint<T>& eye,
-                  const vec3<T>& direction, const vec3<T>& to_sun) {
+inline LitRay<T> lit_ray(const Atmosphere<T>& atmosphere, const AirRay<T>& air, const Viewpoint<T>& eye,
+                         const vec3<T>& direction, const vec3<T>& to_sun) {
     const SunOverLine<T> sun = sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
     const Layers<T> layers = layers_of<T, Scene>(atmosphere);
-    vec3<T> shells = vec3<T>(T(0), T(0), T(0));
-    if constexpr (Scene::ozone == ozone_tent) {
-        shells = shells_along(layers, atmosphere.ground_radius, air.perigee_altitude);
-    }
+    const Shells<T> shells =
+        shells_along<T, Scene>(layers.ozone, atmosphere.ground_radius, air.perigee_altitude);
     const vec3<T> rayleigh_source = atmosphere.rayleigh_scattering * rayleigh_phase(sun.cos_theta);
     vec3<T> mie_source = vec3<T>(T(0), T(0), T(0));
     if constexpr (Scene::mie) {
@@ -92,8 +90,7 @@ RayPoint<T> ray_point(const Atmosphere<T>& atmosphere, const LitRay<T>& ray, T t
     const Density<T> density = layer_density<T, Scene>(ray.layers, altitude);
     const LinePoint<T> point = line_point(altitude, radius, T(1) / radius, glm::abs(ray.air.along + t),
                                           ray.air.perigee_radius, ray.air.perigee_altitude);
-    return RayPoint<T>{altitude, density,
-                       column_outwards<T, Scene>(atmosphere, ray.layers, point, ray.shells, density)};
+    return RayPoint<T>{altitude, density, column_outwards<T, Scene>(ray.layers, point, ray.shells, density)};
 }
 
 /// The optical depth that the nodes follow: mostly red's, which is what is left of light that has come far.
@@ -153,11 +150,11 @@ inline vec3<T> node_radiance(const Atmosphere<T>& atmosphere, const LitRay<T>& r
     const T inverse_radius = T(1) / radius;
     const LinePoint<T> on_ray =
         line_point(altitude, radius, inverse_radius, along, ray.air.perigee_radius, ray.air.perigee_altitude);
-    const Column<T> beyond = column_outwards<T, Scene>(atmosphere, ray.layers, on_ray, ray.shells, density);
+    const Column<T> beyond = column_outwards<T, Scene>(ray.layers, on_ray, ray.shells, density);
     const T sun_height = ray.sun.perigee_height + outwards * along * ray.sun.cos_theta;
     const LinePoint<T> to_sun = line_towards_sun(altitude, radius, inverse_radius, sun_height);
     const Column<T> sunlit =
-        column_to_sun<T, Scene>(atmosphere, ray.layers, to_sun, sun_height < T(0), density);
+        column_to_sun<T, Scene>(ray.layers, atmosphere.ground_radius, to_sun, sun_height < T(0), density);
     const Column<T> passed = column_sum(column_sum(offset, -outwards, beyond), T(1), sunlit);
     const vec3<T> depth = column_optical_depth<T, Scene>(atmosphere, passed);
     vec3<T> source = ray.rayleigh_source * density.rayleigh;
@@ -234,7 +231,7 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
         if constexpr (Scene::ozone != ozone_none) {
             const vec3<T> absorption = atmosphere.ozone_absorption;
             if (absorption.x + absorption.y + absorption.z > T(0)) {
-                dusk = shadow_span(radius, air.perigee_altitude, ray.sun, ray.layers.ozone_shells.z);
+                dusk = shadow_span(radius, air.perigee_altitude, ray.sun, ray.layers.ozone.edge);
             }
         }
     }

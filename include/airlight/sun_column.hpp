@@ -34,32 +34,21 @@ inline Column<T> exponentials_to_sun(const Layers<T>& layers, const LinePoint<T>
 
 /// The absorbing layer from a point to the sun.
 ///
-/// Units:    result [L].
+/// Units:    ground_radius [L]; result [L].
 /// Domain:   that of exponentials_to_sun.
-/// Accuracy: that of tent_beyond and lorentzian_outwards.
-/// Errors:   none; without an absorbing layer 0; a tent that reaches above the top of the air counts whole.
-/// Source:   tent_beyond, lorentzian_outwards.
+/// Accuracy: that of ozone_beyond.
+/// Errors:   none; without an absorbing layer 0; a layer that reaches above the top of the air counts whole.
+/// Source:   ozone_beyond.
 template <typename T, typename Scene = DefaultScene>
-inline T ozone_to_sun(const Atmosphere<T>& atmosphere, const Layers<T>& layers, const LinePoint<T>& point,
-                      bool sinks) {
-    T air = T(0);
-    if constexpr (Scene::ozone == ozone_tent) {
-        if (!sinks && point.altitude >= layers.ozone_shells.z) {
-            return T(0);
-        }
-        const vec3<T> shells = shells_along(layers, atmosphere.ground_radius, point.perigee_altitude);
-        air = tent_beyond(layers, shells, sinks ? -point.along : point.along);
+inline T ozone_to_sun(const Layers<T>& layers, T ground_radius, const LinePoint<T>& point, bool sinks) {
+    if constexpr (Scene::ozone == ozone_none) {
+        return T(0);
     }
-    if constexpr (Scene::ozone == ozone_lorentzian) {
-        air = lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
-                                  point.along, point.inverse_root, point.altitude);
-        if (sinks) {
-            air = T(2) * lorentzian_outwards(atmosphere, layers, point.perigee_radius, point.perigee_altitude,
-                                             T(0), T(0), point.perigee_altitude) -
-                  air;
-        }
+    if (!sinks && point.altitude >= layers.ozone.ceiling) {
+        return T(0);
     }
-    return glm::max(air, T(0));
+    const Shells<T> shells = shells_along<T, Scene>(layers.ozone, ground_radius, point.perigee_altitude);
+    return ozone_beyond<T, Scene>(layers.ozone, shells, sinks ? -point.along : point.along);
 }
 
 /// The air from a point to the sun.
@@ -67,7 +56,7 @@ inline T ozone_to_sun(const Atmosphere<T>& atmosphere, const Layers<T>& layers, 
 /// The air above the top, were there any, is taken off: for a line that is straight over a scale
 /// height, bounded where it grazes the top.
 ///
-/// Units:    density [1] at the point; result [L].
+/// Units:    density [1] at the point; ground_radius and result [L].
 /// Domain:   that of LinePoint; a point inside the air; `sinks` where the line first comes closer to the
 ///           centre.
 /// Accuracy: as light sees it, exp of minus the optical depth: 5e-6 on Earth, in float too (measured:
@@ -75,8 +64,8 @@ inline T ozone_to_sun(const Atmosphere<T>& atmosphere, const Layers<T>& layers, 
 /// Errors:   none; ignores the ground.
 /// Source:   exponentials_to_sun, ozone_to_sun.
 template <typename T, typename Scene = DefaultScene>
-inline Column<T> column_to_sun(const Atmosphere<T>& atmosphere, const Layers<T>& layers,
-                               const LinePoint<T>& point, bool sinks, const Density<T>& density) {
+inline Column<T> column_to_sun(const Layers<T>& layers, T ground_radius, const LinePoint<T>& point,
+                               bool sinks, const Density<T>& density) {
     const Column<T> endless = exponentials_to_sun<T, Scene>(layers, point, sinks, density);
     const T square = glm::max(
         (layers.top_radius - point.perigee_radius) * (layers.top_radius + point.perigee_radius), T(0));
@@ -86,7 +75,7 @@ inline Column<T> column_to_sun(const Atmosphere<T>& atmosphere, const Layers<T>&
     if constexpr (Scene::mie) {
         mie = glm::max(endless.mie - layers.mie_above * slant, T(0));
     }
-    return Column<T>{rayleigh, mie, ozone_to_sun<T, Scene>(atmosphere, layers, point, sinks)};
+    return Column<T>{rayleigh, mie, ozone_to_sun<T, Scene>(layers, ground_radius, point, sinks)};
 }
 
 }  // namespace airlight

@@ -133,7 +133,7 @@ T layer_to_sun(const Atmosphere<T>& atmosphere, const Layers<T>& layers, T radiu
     if constexpr (Scene::ozone != ozone_none) {
         const T altitude = radius - atmosphere.ground_radius;
         const LinePoint<T> point = line_towards_sun(altitude, radius, T(1) / radius, radius * mu_s);
-        layer = ozone_to_sun<T, Scene>(atmosphere, layers, point, mu_s < T(0));
+        layer = ozone_to_sun<T, Scene>(layers, atmosphere.ground_radius, point, mu_s < T(0));
     }
     return layer;
 }

@@ -114,47 +114,6 @@ static const bool exponential_from_perigee_row =
         })
         .within_bound();
 
-static const bool shells_along_row =
-    row("shells_along")
-        .inputs([](Draw& draw) {
-            const Place at = place(draw);
-            return std::make_tuple(airlight::layers_of(at.atmosphere), at.atmosphere.ground_radius,
-                                   towards_sun(at).perigee_altitude);
-        })
-        .cpu([](const auto& layers, auto ground_radius, auto perigee_altitude) {
-            return airlight::shells_along(layers, ground_radius, perigee_altitude);
-        })
-        .to_the_bit();
-
-static const bool tent_beyond_row = row("tent_beyond")
-                                        .inputs([](Draw& draw) {
-                                            const Place at = place(draw);
-                                            const auto layers = airlight::layers_of(at.atmosphere);
-                                            const auto point = towards_sun(at);
-                                            const auto shells = airlight::shells_along(
-                                                layers, at.atmosphere.ground_radius, point.perigee_altitude);
-                                            return std::make_tuple(layers, shells, point.along);
-                                        })
-                                        .cpu([](const auto& layers, const auto& shells, auto along) {
-                                            return airlight::tent_beyond(layers, shells, along);
-                                        })
-                                        .to_the_bit();
-
-static const bool lorentzian_outwards_row =
-    row("lorentzian_outwards")
-        .inputs([](Draw& draw) {
-            const Place at = place(draw);
-            const auto point = towards_sun(at);
-            return std::make_tuple(at.atmosphere, airlight::layers_of(at.atmosphere), point.perigee_radius,
-                                   point.perigee_altitude, point.along, point.inverse_root, point.altitude);
-        })
-        .cpu([](const auto& atmosphere, const auto& layers, auto perigee_radius, auto perigee_altitude,
-                auto along, auto inverse_root, auto altitude) {
-            return airlight::lorentzian_outwards(atmosphere, layers, perigee_radius, perigee_altitude, along,
-                                                 inverse_root, altitude);
-        })
-        .within_bound();
-
 static const bool column_outwards_row =
     row("column_outwards")
         .inputs([](Draw& draw) {
@@ -162,15 +121,14 @@ static const bool column_outwards_row =
             const auto layers = airlight::layers_of(at.atmosphere);
             const auto point = towards_sun(at);
             return std::make_tuple(
-                at.atmosphere, layers, point,
-                airlight::shells_along(layers, at.atmosphere.ground_radius, point.perigee_altitude),
+                layers, point,
+                airlight::shells_along(layers.ozone, at.atmosphere.ground_radius, point.perigee_altitude),
                 airlight::layer_density(layers, at.altitude));
         })
-        .cpu([](auto run, const auto& atmosphere, const auto& layers, const auto& point, const auto& shells,
-                const auto& density) {
+        .cpu([](auto run, const auto& layers, const auto& point, const auto& shells, const auto& density) {
             using R = decltype(run);
-            return airlight::column_outwards<typename R::T, typename R::Scene>(atmosphere, layers, point,
-                                                                               shells, density);
+            return airlight::column_outwards<typename R::T, typename R::Scene>(layers, point, shells,
+                                                                               density);
         })
         .within_bound();
 
@@ -193,28 +151,29 @@ static const bool ozone_to_sun_row =
     row("ozone_to_sun")
         .inputs([](Draw& draw) {
             const Place at = place(draw);
-            return std::make_tuple(at.atmosphere, airlight::layers_of(at.atmosphere), towards_sun(at),
-                                   at.sun_height < 0.0F);
+            return std::make_tuple(airlight::layers_of(at.atmosphere), at.atmosphere.ground_radius,
+                                   towards_sun(at), at.sun_height < 0.0F);
         })
-        .cpu([](auto run, const auto& atmosphere, const auto& layers, const auto& point, bool sinks) {
+        .cpu([](auto run, const auto& layers, auto ground_radius, const auto& point, bool sinks) {
             using R = decltype(run);
-            return airlight::ozone_to_sun<typename R::T, typename R::Scene>(atmosphere, layers, point, sinks);
+            return airlight::ozone_to_sun<typename R::T, typename R::Scene>(layers, ground_radius, point,
+                                                                            sinks);
         })
-        .within_bound();
+        .to_the_bit();
 
 static const bool column_to_sun_row =
     row("column_to_sun")
         .inputs([](Draw& draw) {
             const Place at = place(draw);
             const auto layers = airlight::layers_of(at.atmosphere);
-            return std::make_tuple(at.atmosphere, layers, towards_sun(at), at.sun_height < 0.0F,
+            return std::make_tuple(layers, at.atmosphere.ground_radius, towards_sun(at), at.sun_height < 0.0F,
                                    airlight::layer_density(layers, at.altitude));
         })
-        .cpu([](auto run, const auto& atmosphere, const auto& layers, const auto& point, bool sinks,
+        .cpu([](auto run, const auto& layers, auto ground_radius, const auto& point, bool sinks,
                 const auto& density) {
             using R = decltype(run);
-            return airlight::column_to_sun<typename R::T, typename R::Scene>(atmosphere, layers, point, sinks,
-                                                                             density);
+            return airlight::column_to_sun<typename R::T, typename R::Scene>(layers, ground_radius, point,
+                                                                             sinks, density);
         })
         .within_bound();
 
