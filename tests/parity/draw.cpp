@@ -275,4 +275,9 @@ float Draw::distance(const airlight::Atmosphere<float>& atmosphere) {
         {0.0F, atmosphere.top_altitude, airlight::no_surface<float>(), airlight::no_surface<float>()});
 }
 
+airlight::Column<float> Draw::column() {
+    const auto one = [this] { return magnitude(1.0F, 1e6F, {0.0F}); };
+    return airlight::Column<float>{one(), one(), one()};  // in this order: braces go from left to right
+}
+
 }  // namespace parity

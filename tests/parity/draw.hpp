@@ -4,6 +4,7 @@
 // run can be repeated; every draw of one input has a dimension of its own in a low-discrepancy sequence.
 
 #include <airlight/atmosphere.hpp>
+#include <airlight/column.hpp>
 #include <airlight/viewpoint.hpp>
 #include <cstddef>
 #include <cstdint>
@@ -51,6 +52,8 @@ class Draw {
                                const airlight::Viewpoint<float>& eye);
     /// Distance to a surface: 0, short, long, none.
     float distance(const airlight::Atmosphere<float>& atmosphere);
+    /// The air along a ray: from a metre of each substance to a thousand kilometres, or none of it.
+    airlight::Column<float> column();
 
     /// A parameter of the aerosol's phase function, or a droplet diameter where the scene has fog.
     float aerosol_parameter();

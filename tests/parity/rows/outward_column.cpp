@@ -8,14 +8,9 @@ namespace parity {
 static const bool column_sum_row =
     row("column_sum")
         .inputs([](Draw& draw) {
-            const auto column = [&] {
-                const float rayleigh = draw.magnitude(1.0F, 1e6F, {0.0F});
-                const float mie = draw.magnitude(1.0F, 1e6F, {0.0F});
-                return airlight::Column<float>{rayleigh, mie, draw.magnitude(1.0F, 1e6F, {0.0F})};
-            };
-            const auto a = column();
+            const auto a = draw.column();
             const float factor = draw.number(-2.0F, 2.0F, {0.0F});
-            return std::make_tuple(a, factor, column());
+            return std::make_tuple(a, factor, draw.column());
         })
         .cpu([](const auto& a, auto factor, const auto& b) { return airlight::column_sum(a, factor, b); })
         .to_the_bit();

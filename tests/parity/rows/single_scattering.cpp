@@ -70,10 +70,7 @@ static const bool guiding_depth_row =
     row("guiding_depth")
         .inputs([](Draw& draw) {
             const auto atmosphere = draw.atmosphere();
-            const float rayleigh = draw.magnitude(1.0F, 1e6F, {0.0F});
-            const float mie = draw.magnitude(1.0F, 1e6F, {0.0F});
-            return std::make_tuple(
-                atmosphere, airlight::Column<float>{rayleigh, mie, draw.magnitude(1.0F, 1e6F, {0.0F})});
+            return std::make_tuple(atmosphere, draw.column());
         })
         .cpu([](auto run, const auto& atmosphere, const auto& column) {
             using R = decltype(run);
