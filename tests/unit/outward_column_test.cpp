@@ -10,6 +10,7 @@
 #include "samplers.hpp"
 #include "scenes.hpp"
 #include "story.hpp"
+#include "table.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
@@ -78,6 +79,53 @@ TEST_CASE_TEMPLATE("straight up the air is density times scale height", T, float
         // First order of Chapman's function at radius over height 800: 3e-6.
         CHECK_WITHIN(compare_relative("exponential_outwards", {{"altitude", altitude}}, got, 4e3L), 3e-6L);
     }
+}
+
+TEST_CASE_TEMPLATE("Chapman's function to first order keeps the errors that it states, against 50 digits", T,
+                   double, long double) {
+    Worst x_50;
+    Worst x_100;  // and 200
+    Worst wide;   // x from 800 on
+    Worst perigee_50;
+    Worst perigee_wide;
+    const T height = T(8000);
+    const T root = T(1) / std::sqrt(height);
+    for (const Row& row : reference("chapman")) {
+        const T x = row.input<T>("x");
+        if (row.text("function") != "chapman" || x < T(50)) {
+            continue;  // a planet so small is outside what the docstrings state
+        }
+        const T mu = row.input<T>("mu");
+        const T radius = x * height;
+        const T along = radius * mu;
+        const T perigee = std::sqrt((radius - along) * (radius + along));
+        const LinePoint<T> point = line_point(T(0), radius, T(1) / radius, along, perigee, perigee - radius);
+        const long double expected = static_cast<long double>(height) * row.expected("value");
+        Worst& worst = x >= T(800) ? wide : x >= T(100) ? x_100 : x_50;
+        worst.add(compare_relative("exponential_outwards", {{"x", x}, {"mu", mu}},
+                                   exponential_outwards(point, T(0.5), height, root), expected / 2));
+        if (mu == T(0)) {
+            Worst& level = x >= T(800) ? perigee_wide : perigee_50;
+            for (const T altitude : {T(0), T(16000)}) {
+                level.add(
+                    compare_relative("exponential_from_perigee", {{"x", x}, {"altitude", altitude}},
+                                     exponential_from_perigee(radius, altitude, height),
+                                     expected * std::exp(-static_cast<long double>(altitude / height))));
+            }
+        }
+    }
+    x_50.print("at radius / height = 50");
+    x_100.print("at 100 and 200");
+    wide.print("from 800 on");
+    perigee_50.print("at x = 50, 100 and 200");
+    perigee_wide.print("from x = 800 on");
+    // What is left out of exponential_outwards, the second order, is up to 0.33 / x^2; the fit is 4e-8.
+    CHECK_WORST(x_50, 1.3e-4L);   // docstring
+    CHECK_WORST(x_100, 3.3e-5L);  // docstring, which rounds it to 3e-5
+    CHECK_WORST(wide, 6e-7L);     // docstring
+    // exponential_from_perigee leaves out 0.047 / x^2, by the series of the Bessel function K_1.
+    CHECK_WORST(perigee_50, 2e-5L);    // docstring
+    CHECK_WORST(perigee_wide, 1e-7L);  // docstring
 }
 
 TEST_CASE_TEMPLATE("molecules, aerosol and tent agree with the accurate closed forms", T, float, double) {
