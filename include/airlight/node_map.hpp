@@ -105,7 +105,7 @@ struct Node {
 /// Errors:   none.
 /// Source:   node_map, and its exact derivative.
 template <typename T>
-inline Node<T> node_at(const NodeMap<T>& map, T u) {
+[[gnu::always_inline]] inline Node<T> node_at(const NodeMap<T>& map, T u) {
     const T v_share = T(1) / (T(1) - u + map.pull * u);
     const T v = map.pull * u * v_share;
     const T rise_share = T(1) / (T(1) - map.bend * v);

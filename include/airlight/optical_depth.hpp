@@ -15,7 +15,8 @@ namespace airlight {
 /// Errors:   none.
 /// Source:   Beer's law.
 template <typename T, typename Scene = DefaultScene>
-inline vec3<T> column_optical_depth(const Atmosphere<T>& atmosphere, const Column<T>& column) {
+[[gnu::always_inline]] inline vec3<T> column_optical_depth(const Atmosphere<T>& atmosphere,
+                                                           const Column<T>& column) {
     vec3<T> depth = atmosphere.rayleigh_scattering * column.rayleigh;
     if constexpr (Scene::mie) {
         depth += (atmosphere.mie_scattering + atmosphere.mie_absorption) * column.mie;
