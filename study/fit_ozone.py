@@ -2,8 +2,8 @@
 """Fits the twelve shells of lorentzian_ramps: where they lie, and what share of the density each gets.
 
 A Lorentz curve times the Rayleigh density is replaced by straight lines between twelve shells. The fit
-makes the columns outwards along straight lines right, level and steep ones, for five layers like Leenman's
-at once. Prints the two lists for include/airlight/ozone_ramps.hpp and the errors of each layer.
+makes the columns outwards along straight lines right, level and steep ones, for Leenman's layer and, with
+less weight, for four like it. Prints the two lists for include/airlight/ozone_ramps.hpp and the errors of each layer.
 """
 import argparse
 import sys
@@ -17,9 +17,11 @@ except ImportError as missing:
 RADIUS = 6371e3
 # Centre, half width, Rayleigh scale height [m]: Leenman's first.
 LAYERS = [(30e3, 4e3, 8e3), (22e3, 5e3, 8e3), (25e3, 3e3, 8e3), (30e3, 6e3, 8e3), (20e3, 3e3, 7e3)]
+# Leenman's is the one layer of this kind that is printed: it weighs the most.
+WEIGHTS = [8, 1, 1, 1, 1]
 # Where the fit starts: what the header has.
-SHELLS = [-8.12, -6.29, -4.52, -2.76, -1.52, -0.56, -0.07, 0.44, 0.92, 1.61, 2.74, 5.56]
-SHARES = [0.982, 0.987, 0.959, 0.965, 0.962, 1.005, 1.04, 0.999, 0.937, 0.878, 0.746, 0]
+SHELLS = [-7.99, -6.01, -4.35, -2.55, -1.47, -0.39, -0.01, 0.56, 0.98, 1.6, 2.63, 5.29]
+SHARES = [0.959, 0.983, 0.969, 0.96, 0.977, 1.015, 1.024, 1.001, 0.945, 0.903, 0.727, 0]
 POINTS = 3000  # along a line
 STEEP = [1, 0.7, 0.4, 0.2]  # cosines to the vertical at the ground
 
@@ -29,7 +31,9 @@ class Layer:
         self.centre, self.width, self.height = centre, width, height
         self.lines = []
         top = centre + 15 * width
-        for perigee in numpy.linspace(0, centre + 5 * width, 41):
+        tails = numpy.linspace(0, centre + 5 * width, 31)
+        peak = numpy.linspace(centre - 2 * width, centre + 2 * width, 41)  # a line at the peak feels every kink
+        for perigee in numpy.concatenate([tails, peak]):
             end = numpy.sqrt((RADIUS + top) ** 2 - (RADIUS + perigee) ** 2)
             s = end * numpy.linspace(0, 1, POINTS) ** 2
             self.lines.append((s, s * s / (numpy.hypot(RADIUS + perigee, s) + RADIUS + perigee) + perigee))
@@ -76,9 +80,9 @@ def main():
     def residuals(numbers):
         # The power 1.5 leans towards the largest errors; light falls steeply through little ozone.
         parts = []
-        for layer in layers:
+        for layer, weight in zip(layers, WEIGHTS):
             level, steep = layer.errors(*unpacked(numbers))
-            parts += [20 * numpy.sign(level.ravel()) * numpy.abs(level.ravel()) ** 1.5, 0.3 * steep]
+            parts += [20 * weight * numpy.sign(level.ravel()) * numpy.abs(level.ravel()) ** 1.5, 0.3 * weight * steep]
         return numpy.concatenate(parts)
 
     shells, shares = numpy.array(SHELLS), numpy.array(SHARES, dtype=float)

@@ -118,7 +118,7 @@ airlight_LinePoint airlight_line_towards_sun(float altitude, float radius, float
 //
 // Units:    density [1] at the point; height [L], root [L^-0.5] as in Layers; result [L].
 // Domain:   height >= thinnest_layer of the air; point.radius > 0.
-// Accuracy: relative 1.3e-4 at radius / height = 50, 3e-5 at 100, 6e-7 from 800 on; below 10 it is lost.
+// Accuracy: relative 1.3e-4 at radius / height = 50, 3.3e-5 at 100, 6e-7 from 800 on; below 10 it is lost.
 // Errors:   none.
 // Source:   docs/theory/chapman.md.
 float airlight_exponential_outwards(airlight_LinePoint point, float density, float height, float root) {

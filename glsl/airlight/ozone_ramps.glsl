@@ -86,12 +86,13 @@ vec3 airlight_lorentzian_at(airlight_Atmosphere atmosphere, float rayleigh_heigh
 // A Lorentz curve times the Rayleigh density as ramps.
 //
 // Twelve shells, in half widths from the centre, and the share of the curve's density that each gets, are
-// fitted to the columns of five layers like Leenman's. The first shell is at the ground or below it.
+// fitted to the columns of Leenman's layer, and with less weight of four like it. The first shell is at the
+// ground or below it.
 //
 // Units:    those of Ramps.
 // Domain:   that of Atmosphere.
-// Accuracy: 9e-3 of the level column just below the curve's peak (measured: 8.1e-3 with Leenman's numbers);
-//           3e-2 where the curve is wider than the Rayleigh scale height.
+// Accuracy: 5e-3 of the level column just below the curve's peak (measured: 4.3e-3 with Leenman's numbers);
+//           2e-2 for curves like it, 4e-2 where the curve is wider than the Rayleigh scale height.
 // Errors:   none; a layer of zero width gives zero weights; a curve much narrower than an eighth of its
 //           altitude counts up to a tenth of its largest column too much.
 // Source:   study/fit_ozone.py.
@@ -102,21 +103,21 @@ airlight_Ramps airlight_lorentzian_ramps(airlight_Atmosphere atmosphere) {
     float height =
         max(atmosphere.rayleigh_scale_height, airlight_thinnest_layer * (radius + atmosphere.top_altitude));
     // A wide curve is mostly the molecules' exponential: its shells lie where those are.
-    float spread = min(width, max(centre / 8.12, 0.7 * height));
-    vec3 at_1 = centre + spread * vec3(-8.12, -6.29, -4.52);
-    vec3 at_2 = centre + spread * vec3(-2.76, -1.52, -0.56);
-    vec3 at_3 = centre + spread * vec3(-0.07, 0.44, 0.92);
-    vec3 at_4 = centre + spread * vec3(1.61, 2.74, 5.56);
+    float spread = min(width, max(centre / 7.99, 0.7 * height));
+    vec3 at_1 = centre + spread * vec3(-7.99, -6.01, -4.35);
+    vec3 at_2 = centre + spread * vec3(-2.55, -1.47, -0.39);
+    vec3 at_3 = centre + spread * vec3(-0.01, 0.56, 0.98);
+    vec3 at_4 = centre + spread * vec3(1.6, 2.63, 5.29);
     at_1.x = min(at_1.x, 0.0);
     airlight_Shells at = airlight_Shells(at_1, at_2, at_3, at_4);
     vec3 none = vec3(0.0, 0.0, 0.0);
     if (width <= 0.0) {
         return airlight_Ramps(at, airlight_Shells(none, none, none, none), centre, centre);
     }
-    vec3 n_1 = airlight_lorentzian_at(atmosphere, height, at_1, vec3(0.982, 0.987, 0.959));
-    vec3 n_2 = airlight_lorentzian_at(atmosphere, height, at_2, vec3(0.965, 0.962, 1.005));
-    vec3 n_3 = airlight_lorentzian_at(atmosphere, height, at_3, vec3(1.04, 0.999, 0.937));
-    vec3 n_4 = airlight_lorentzian_at(atmosphere, height, at_4, vec3(0.878, 0.746, 0.0));
+    vec3 n_1 = airlight_lorentzian_at(atmosphere, height, at_1, vec3(0.959, 0.983, 0.969));
+    vec3 n_2 = airlight_lorentzian_at(atmosphere, height, at_2, vec3(0.96, 0.977, 1.015));
+    vec3 n_3 = airlight_lorentzian_at(atmosphere, height, at_3, vec3(1.024, 1.001, 0.945));
+    vec3 n_4 = airlight_lorentzian_at(atmosphere, height, at_4, vec3(0.903, 0.727, 0.0));
     vec3 m_1 =
         airlight_span_slopes(radius, at_1, vec3(at_1.y, at_1.z, at_2.x), n_1, vec3(n_1.y, n_1.z, n_2.x));
     vec3 m_2 =

@@ -207,7 +207,7 @@ vec3 airlight_most_scattered(airlight_Atmosphere atmosphere, float cos_theta, ve
 // Domain:   every viewpoint up to 1e12 m from an Earth; distance >= 0, no_surface() for none;
 //           visibility in [0, 1].
 // Accuracy: of the luminance by Scene::nodes, docs/trade.md and node_error. With 8 nodes, 95 % of the views
-//           and the worst: with ozone 4e-4 and 3e-3 by day, 2e-3 and 5e-3 towards sunset and after it.
+//           and the worst: with ozone 2.5e-4 and 3.2e-3 by day, 2.1e-3 and 5e-3 from sunset on.
 // Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
 // Source:   docs/theory/nodes.md.
 airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,

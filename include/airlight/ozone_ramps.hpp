@@ -92,12 +92,13 @@ vec3<T> lorentzian_at(const Atmosphere<T>& atmosphere, T rayleigh_height, const 
 /// A Lorentz curve times the Rayleigh density as ramps.
 ///
 /// Twelve shells, in half widths from the centre, and the share of the curve's density that each gets, are
-/// fitted to the columns of five layers like Leenman's. The first shell is at the ground or below it.
+/// fitted to the columns of Leenman's layer, and with less weight of four like it. The first shell is at the
+/// ground or below it.
 ///
 /// Units:    those of Ramps.
 /// Domain:   that of Atmosphere.
-/// Accuracy: 9e-3 of the level column just below the curve's peak (measured: 8.1e-3 with Leenman's numbers);
-///           3e-2 where the curve is wider than the Rayleigh scale height.
+/// Accuracy: 5e-3 of the level column just below the curve's peak (measured: 4.3e-3 with Leenman's numbers);
+///           2e-2 for curves like it, 4e-2 where the curve is wider than the Rayleigh scale height.
 /// Errors:   none; a layer of zero width gives zero weights; a curve much narrower than an eighth of its
 ///           altitude counts up to a tenth of its largest column too much.
 /// Source:   study/fit_ozone.py.
@@ -109,21 +110,21 @@ Ramps<T> lorentzian_ramps(const Atmosphere<T>& atmosphere) {
     const T height =
         glm::max(atmosphere.rayleigh_scale_height, thinnest_layer<T> * (radius + atmosphere.top_altitude));
     // A wide curve is mostly the molecules' exponential: its shells lie where those are.
-    const T spread = glm::min(width, glm::max(centre / T(8.12L), T(0.7L) * height));
-    vec3<T> at_1 = centre + spread * vec3<T>(T(-8.12L), T(-6.29L), T(-4.52L));
-    const vec3<T> at_2 = centre + spread * vec3<T>(T(-2.76L), T(-1.52L), T(-0.56L));
-    const vec3<T> at_3 = centre + spread * vec3<T>(T(-0.07L), T(0.44L), T(0.92L));
-    const vec3<T> at_4 = centre + spread * vec3<T>(T(1.61L), T(2.74L), T(5.56L));
+    const T spread = glm::min(width, glm::max(centre / T(7.99L), T(0.7L) * height));
+    vec3<T> at_1 = centre + spread * vec3<T>(T(-7.99L), T(-6.01L), T(-4.35L));
+    const vec3<T> at_2 = centre + spread * vec3<T>(T(-2.55L), T(-1.47L), T(-0.39L));
+    const vec3<T> at_3 = centre + spread * vec3<T>(T(-0.01L), T(0.56L), T(0.98L));
+    const vec3<T> at_4 = centre + spread * vec3<T>(T(1.6L), T(2.63L), T(5.29L));
     at_1.x = glm::min(at_1.x, T(0));
     const Shells<T> at = Shells<T>{at_1, at_2, at_3, at_4};
     const vec3<T> none = vec3<T>(T(0), T(0), T(0));
     if (width <= T(0)) {
         return Ramps<T>{at, Shells<T>{none, none, none, none}, centre, centre};
     }
-    const vec3<T> n_1 = lorentzian_at(atmosphere, height, at_1, vec3<T>(T(0.982L), T(0.987L), T(0.959L)));
-    const vec3<T> n_2 = lorentzian_at(atmosphere, height, at_2, vec3<T>(T(0.965L), T(0.962L), T(1.005L)));
-    const vec3<T> n_3 = lorentzian_at(atmosphere, height, at_3, vec3<T>(T(1.04L), T(0.999L), T(0.937L)));
-    const vec3<T> n_4 = lorentzian_at(atmosphere, height, at_4, vec3<T>(T(0.878L), T(0.746L), T(0)));
+    const vec3<T> n_1 = lorentzian_at(atmosphere, height, at_1, vec3<T>(T(0.959L), T(0.983L), T(0.969L)));
+    const vec3<T> n_2 = lorentzian_at(atmosphere, height, at_2, vec3<T>(T(0.96L), T(0.977L), T(1.015L)));
+    const vec3<T> n_3 = lorentzian_at(atmosphere, height, at_3, vec3<T>(T(1.024L), T(1.001L), T(0.945L)));
+    const vec3<T> n_4 = lorentzian_at(atmosphere, height, at_4, vec3<T>(T(0.903L), T(0.727L), T(0)));
     const vec3<T> m_1 =
         span_slopes(radius, at_1, vec3<T>(at_1.y, at_1.z, at_2.x), n_1, vec3<T>(n_1.y, n_1.z, n_2.x));
     const vec3<T> m_2 =
@@ -208,7 +209,7 @@ inline Shells<T> shells_along(const Ramps<T>& ramps, T ground_radius, T perigee_
 /// Errors:   none.
 /// Source:   integrated here.
 template <typename T>
-inline T ramps_beyond(const vec3<T>& weights, const vec3<T>& shells, T along) {
+[[gnu::always_inline]] inline T ramps_beyond(const vec3<T>& weights, const vec3<T>& shells, T along) {
     const vec3<T> way = shells - glm::clamp(vec3<T>(along, along, along), -shells, shells);
     const T third = T(0.333333333333333333333333333333333333L);
     return dot_product(weights * way, way * (shells - third * way));

@@ -115,17 +115,18 @@ static const bool column_outwards_row =
             const Place at = place(draw);
             const auto layers = airlight::layers_of(at.atmosphere);
             const auto point = towards_sun(at);
+            const float rayleigh = draw.magnitude(1e-9F, 1.0F);
             return std::make_tuple(
                 layers, point,
                 airlight::shells_along(layers.ozone, at.atmosphere.ground_radius, point.perigee_altitude),
-                airlight::layer_density(layers, at.altitude));
+                airlight::Density<float>{rayleigh, draw.magnitude(1e-9F, 1.0F), 0.0F});
         })
         .cpu([](auto run, const auto& layers, const auto& point, const auto& shells, const auto& density) {
             using R = decltype(run);
             return airlight::column_outwards<typename R::T, typename R::Scene>(layers, point, shells,
                                                                                density);
         })
-        .within_bound();
+        .to_the_bit();
 
 static const bool exponentials_to_sun_row =
     row("exponentials_to_sun")
