@@ -92,16 +92,17 @@ vec3 airlight_lorentzian_at(airlight_Atmosphere atmosphere, float rayleigh_heigh
 // Units:    those of Ramps.
 // Domain:   that of Atmosphere.
 // Accuracy: 5e-3 of the level column just below the curve's peak (measured: 4.3e-3 with Leenman's numbers);
-//           2e-2 for curves like it, 4e-2 where the curve is wider than the Rayleigh scale height.
+//           2e-2 for curves like it, 8e-2 where it is wider or higher than a few Rayleigh scale heights.
 // Errors:   none; a layer of zero width gives zero weights; a curve much narrower than an eighth of its
 //           altitude counts up to a tenth of its largest column too much.
 // Source:   study/fit_ozone.py.
 airlight_Ramps airlight_lorentzian_ramps(airlight_Atmosphere atmosphere) {
     float radius = atmosphere.ground_radius;
-    float centre = atmosphere.ozone_altitude;
     float width = atmosphere.ozone_half_width;
     float height =
         max(atmosphere.rayleigh_scale_height, airlight_thinnest_layer * (radius + atmosphere.top_altitude));
+    // Six scale heights up hardly any molecules are left: what there is of the product lies below its peak.
+    float centre = min(atmosphere.ozone_altitude, 6.0 * height);
     // A wide curve is mostly the molecules' exponential: its shells lie where those are.
     float spread = min(width, max(centre / 7.99, 0.7 * height));
     vec3 at_1 = centre + spread * vec3(-7.99, -6.01, -4.35);
@@ -129,7 +130,7 @@ airlight_Ramps airlight_lorentzian_ramps(airlight_Atmosphere atmosphere) {
     airlight_Shells weights =
         airlight_Shells(m_1 - vec3(0.0, m_1.x, m_1.y), m_2 - vec3(m_1.z, m_2.x, m_2.y),
                         m_3 - vec3(m_2.z, m_3.x, m_3.y), m_4 - vec3(m_3.z, m_4.x, m_4.y));
-    return airlight_Ramps(at, weights, centre + width, at_4.z);
+    return airlight_Ramps(at, weights, atmosphere.ozone_altitude + width, at_4.z);
 }
 
 // The absorbing layer of the scene as ramps.

@@ -98,17 +98,18 @@ vec3<T> lorentzian_at(const Atmosphere<T>& atmosphere, T rayleigh_height, const 
 /// Units:    those of Ramps.
 /// Domain:   that of Atmosphere.
 /// Accuracy: 5e-3 of the level column just below the curve's peak (measured: 4.3e-3 with Leenman's numbers);
-///           2e-2 for curves like it, 4e-2 where the curve is wider than the Rayleigh scale height.
+///           2e-2 for curves like it, 8e-2 where it is wider or higher than a few Rayleigh scale heights.
 /// Errors:   none; a layer of zero width gives zero weights; a curve much narrower than an eighth of its
 ///           altitude counts up to a tenth of its largest column too much.
 /// Source:   study/fit_ozone.py.
 template <typename T>
 Ramps<T> lorentzian_ramps(const Atmosphere<T>& atmosphere) {
     const T radius = atmosphere.ground_radius;
-    const T centre = atmosphere.ozone_altitude;
     const T width = atmosphere.ozone_half_width;
     const T height =
         glm::max(atmosphere.rayleigh_scale_height, thinnest_layer<T> * (radius + atmosphere.top_altitude));
+    // Six scale heights up hardly any molecules are left: what there is of the product lies below its peak.
+    const T centre = glm::min(atmosphere.ozone_altitude, T(6) * height);
     // A wide curve is mostly the molecules' exponential: its shells lie where those are.
     const T spread = glm::min(width, glm::max(centre / T(7.99L), T(0.7L) * height));
     vec3<T> at_1 = centre + spread * vec3<T>(T(-7.99L), T(-6.01L), T(-4.35L));
@@ -136,7 +137,7 @@ Ramps<T> lorentzian_ramps(const Atmosphere<T>& atmosphere) {
     const Shells<T> weights =
         Shells<T>{m_1 - vec3<T>(T(0), m_1.x, m_1.y), m_2 - vec3<T>(m_1.z, m_2.x, m_2.y),
                   m_3 - vec3<T>(m_2.z, m_3.x, m_3.y), m_4 - vec3<T>(m_3.z, m_4.x, m_4.y)};
-    return Ramps<T>{at, weights, centre + width, at_4.z};
+    return Ramps<T>{at, weights, atmosphere.ozone_altitude + width, at_4.z};
 }
 
 /// The absorbing layer of the scene as ramps.

@@ -85,6 +85,28 @@ TEST_CASE("a Lorentz curve's ramps never go below zero, end at their ceiling, an
     }
 }
 
+TEST_CASE_TEMPLATE(
+    "a Lorentz curve far above all molecules leaves their tail near the ground, and no infinity", T, float,
+    double, long double) {
+    for (const T height : {T(0), T(1e-3L), T(10), T(500)}) {
+        Atmosphere<T> air = leenman_earth<T>();
+        air.ground_radius = T(5060);
+        air.ozone_altitude = T(270e3);
+        air.ozone_half_width = T(73e3);
+        air.rayleigh_scale_height = height;
+        const Ramps<T> ramps = lorentzian_ramps(air);
+        const T ground = density_of(ramps, air.ground_radius, T(0));
+        CAPTURE(height);
+        CHECK(std::isfinite(ground));
+        // The curve at the ground is 0.068; 1.6 times that at most, where a straight line stands for its
+        // tail.
+        CHECK(ground <= T(0.11L));
+        CHECK(ground >= T(0));
+        CHECK(density_of(ramps, air.ground_radius, 12 * height + T(1)) <=
+              T(1e-3L));  // e^-12, and what is no layer
+    }
+}
+
 TEST_CASE_TEMPLATE("ozone is the same from both ends, adds up, and none is none", T, float, double,
                    long double) {
     Random random(652);
