@@ -754,6 +754,42 @@ float airlight_fog_phase(float cos_theta, float droplet_diameter_um) {
     return lobe + share * airlight_draine_phase(cos_theta, g_d, alpha);
 }
 
+// Cosine of a scattering angle with the distribution of rayleigh_phase, from an even number.
+//
+//     cos_theta = 2 sinh(asinh(4 u - 2) / 3), the real root of x^3 + 3 x = 8 u - 4
+//
+// Units:    u and result [1].
+// Domain:   u in [0, 1]; 0 gives -1, backward, and 1 gives 1.
+// Accuracy: 4 roundoffs of u (measured: 1.2).
+// Errors:   none.
+// Source:   Cardano's formula.
+float airlight_sample_rayleigh_phase(float u) {
+    float q = 4.0 * u - 2.0;
+    float size = abs(q);
+    float root = pow(size + sqrt(q * q + 1.0), 0.333333333333333333333333333333333333);
+    float x = min(root - 1.0 / root, 1.0);
+    return q < 0.0 ? -x : x;
+}
+
+// Cosine of a scattering angle with the distribution of henyey_greenstein_phase, from an even number.
+//
+//     cos_theta = (1 + g^2 - ((1 - g^2) / (1 + g s))^2) / (2 g),   s = 2 u - 1
+//
+// multiplied out, so that nothing is divided by g.
+//
+// Units:    u, g and result [1].
+// Domain:   u in [0, 1]; g in (-1, 1), 0 gives all cosines alike.
+// Accuracy: 16 roundoffs of u times 1 + 2 pi henyey_greenstein_phase (measured: 13.9).
+// Errors:   g = 1 or -1 divides by zero at one end of u.
+// Source:   Henyey and Greenstein's distribution inverted.
+float airlight_sample_henyey_greenstein_phase(float u, float g) {
+    float s = 2.0 * u - 1.0;
+    float square = g * g;
+    float over = 2.0 * s * (1.0 + square) + g * (s * s + 3.0) - g * square * ((1.0 - s) * (1.0 + s));
+    float under = 1.0 + g * s;
+    return clamp(over / (2.0 * under * under), -1.0, 1.0);
+}
+
 // ---- ray_sphere -------------------------------------------------------------
 
 // The two crossings of a line with a sphere, as distances along the line.

