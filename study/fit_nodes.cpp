@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "errors.hpp"
-#include "progress.hpp"
+#include "support/progress.hpp"
 
 namespace {
 
@@ -184,7 +184,7 @@ int main(int argc, char** argv) {
     std::vector<study::View> views = study::suite();
     const std::vector<study::View> random = study::random_views(500);
     views.insert(views.end(), random.begin(), random.end());
-    study::ProgressBar bar("truth");
+    support::ProgressBar bar("truth");
     const study::Judged judged =
         study::judged(std::move(views), [&](std::size_t done, std::size_t all) { bar(done, all); });
     switch (nodes) {

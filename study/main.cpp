@@ -5,17 +5,16 @@
 #include <iostream>
 
 #include "pages.hpp"
-#include "progress.hpp"
 #include "reports.hpp"
 #include "support/error.hpp"
 #include "support/files.hpp"
+#include "support/progress.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using study::Csv;
 using study::Judged;
-using study::ProgressBar;
 
 struct Options {
     bool all = false;
@@ -34,7 +33,7 @@ void write(const Options& options, const std::string& name, const Csv& csv) {
 }
 
 Judged with_truth(const std::string& what, std::vector<study::View> views) {
-    ProgressBar bar("truth of " + what);
+    support::ProgressBar bar("truth of " + what);
     return study::judged(std::move(views), [&](std::size_t done, std::size_t all) { bar(done, all); });
 }
 
@@ -49,13 +48,13 @@ void write_errors(const Options& options) {
     const Judged all = with_truth("more random rays", std::move(many));
     write(options, "classes.csv", study::class_table(study::settings(), all));
 
-    ProgressBar bar("quick");
+    support::ProgressBar bar("quick");
     write(options, "quick.csv",
           study::quick_table(study::settings(), [&](std::size_t done, std::size_t of) { bar(done, of); }));
 }
 
 void write_cost(const Options& options) {
-    ProgressBar bar("cost");
+    support::ProgressBar bar("cost");
     const std::vector<study::Cost> costs = study::costs(
         study::settings(), options.rounds, [&](std::size_t done, std::size_t all) { bar(done, all); });
     Csv csv = study::cost_table(study::settings(), costs);
@@ -68,7 +67,7 @@ void write_cost(const Options& options) {
 }
 
 int check_quick(const Options& options) {
-    ProgressBar bar("quick");
+    support::ProgressBar bar("quick");
     const Csv fresh =
         study::quick_table(study::settings(), [&](std::size_t done, std::size_t all) { bar(done, all); });
     const std::vector<std::string> found =

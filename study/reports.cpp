@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "progress.hpp"
+#include "support/progress.hpp"
 
 namespace study {
 namespace {
@@ -109,7 +109,7 @@ Csv error_table(const std::vector<Setting>& settings, const Judged& suite, const
             " of the radiance or better."};
     out.columns = {"method", "setting", "views",     "count",     "max",  "p95",
                    "median", "rms",     "float_max", "float_p95", "worst"};
-    ProgressBar bar("errors");
+    support::ProgressBar bar("errors");
     std::size_t done = 0;
     for (const Setting& setting : settings) {
         const std::vector<double> in_suite = errors<double>(setting, suite);
