@@ -1,0 +1,57 @@
+#include "table.hpp"
+
+#include <atomic>
+#include <sstream>
+
+#include "support/files.hpp"
+#include "support/parallel.hpp"
+#include "support/progress.hpp"
+
+namespace reference {
+
+void write_table(const support::Preset& preset, double sun_diameter, const Effort& effort,
+                 const std::filesystem::path& path) {
+    if (path.has_parent_path()) {
+        support::make_writable_directory(path.parent_path());
+    }
+    const std::vector<View> views = judged_views();
+    std::vector<Radiance> radiances(3 * views.size());
+    support::ProgressBar progress("tracing " + preset.name);
+    std::atomic<std::size_t> done{0};
+    support::for_each_row(static_cast<int>(radiances.size()), [&](int job) {
+        const auto i = static_cast<std::size_t>(job);
+        const Air air(preset.air, preset.ozone, job % 3);
+        Effort own = effort;
+        own.seed = effort.seed + 1000003 * i;  // or all would be off the same way
+        radiances[i] = traced(air, views[i / 3], sun_diameter, own);
+        progress(++done, radiances.size());
+    });
+
+    std::ostringstream out;
+    out.precision(7);
+    out << "# Radiance that the air of '" << preset.name
+        << "' adds to a view ray, all orders of scattering, light off the ground included [1/sr] per unit "
+           "of\n"
+        << "# solar irradiance above the air. Written by path_trace --table: " << effort.walks
+        << " walks a channel, seed " << effort.seed << ", sun " << sun_diameter
+        << " degrees wide. Angles in degrees.\n"
+        << "altitude,sun_elevation,elevation,azimuth,channel,total,total_error,order_1_error";
+    for (int k = 1; k < kept_orders; ++k) {
+        out << ",order_" << k;
+    }
+    out << ",order_" << kept_orders << "_and_more\n";
+    for (std::size_t i = 0; i < radiances.size(); ++i) {
+        const View& view = views[i / 3];
+        const Radiance& radiance = radiances[i];
+        out << view.altitude << "," << view.sun_elevation << "," << view.elevation << "," << view.azimuth
+            << "," << i % 3 << "," << radiance.total.mean << "," << radiance.total.error << ","
+            << radiance.order[0].error;
+        for (const Estimate& order : radiance.order) {
+            out << "," << order.mean;
+        }
+        out << "\n";
+    }
+    support::write_file(path, out.str());
+}
+
+}  // namespace reference
