@@ -164,8 +164,9 @@ Step guided_step(const Air& air, const Light& light, const Coefficients& here, c
     return Step{ray.begin + t * towards, towards, End::met_air, weight * share / chance_of_air};
 }
 
+/// Whether a walk from there is guided. A guided step never leaves the air, so a lit sky would be missed.
 bool is_twilight(const Light& light, const Vector& position) {
-    return light.sun > 0 && glm::dot(unit(position), light.to_sun) < sun_is_down;
+    return light.sun > 0 && light.sky <= 0 && glm::dot(unit(position), light.to_sun) < sun_is_down;
 }
 
 /// What a guided walk counts for: it takes twenty times as long as a free one and is worth more than that.

@@ -67,7 +67,7 @@ ViewRay view_ray(const Air& air, const Vector& eye, const Vector& direction);
 struct Effort {
     std::uint64_t walks = 1000000;
     std::uint64_t seed = 1;
-    int groups = 50;       ///< whose spread is the standard error
+    int groups = 50;       ///< whose spread is the standard error; at least 2
     int orders = 1000000;  ///< of scattering that are followed
 };
 

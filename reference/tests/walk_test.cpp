@@ -112,6 +112,25 @@ TEST_CASE("nothing is seen without air, without light, and of ground behind it")
     CHECK(traced(air, View{2, -90, 90, 0}, 0, Effort{1000, 1, 10}).total.mean == 0);
 }
 
+TEST_CASE("light adds up: sun and sky together are the sun's and the sky's, in twilight too") {
+    const Air air(airlight::earth<double>(), airlight::ozone_tent, 0);
+    const ViewRay ray = view_ray(air, Vector(0, 0, air.ground_radius() + 2), direction_at(20));
+    for (const double sun_elevation : {30.0, -4.0}) {
+        Light sun;
+        sun.to_sun = direction_at(sun_elevation);
+        Light sky = sun;
+        sky.sun = 0;
+        sky.sky = 1e-2;
+        Light both = sky;
+        both.sun = 1;
+        const Estimate a = traced(air, sun, ray, Effort{40000, 1, 40}).total;
+        const Estimate b = traced(air, sky, ray, Effort{40000, 2, 40}).total;
+        const Estimate c = traced(air, both, ray, Effort{40000, 3, 40}).total;
+        CHECK(apart(c, Estimate{a.mean + b.mean, std::hypot(a.error, b.error)}) < 4);  // once in 15000
+        CHECK(b.mean > 5 * c.error);  // the sky's share is large enough to be missed
+    }
+}
+
 TEST_CASE("a small sun gives the light of a point, a wide one spreads the lobe") {
     const Air air(airlight::earth<double>(), airlight::ozone_tent, 1);
     const View beside{2, 30, 30, 40};
