@@ -11,13 +11,13 @@ double radians(double degrees) {
     return degrees * airlight::pi<double> / 180;
 }
 
-Vector direction(double elevation, double azimuth) {
+}  // namespace
+
+Vector direction_at(double elevation, double azimuth) {
     const double e = radians(elevation);
     const double a = radians(azimuth);
     return {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
 }
-
-}  // namespace
 
 std::string View::name() const {
     std::ostringstream out;
@@ -27,10 +27,10 @@ std::string View::name() const {
 
 Radiance traced(const Air& air, const View& view, double sun_diameter, const Effort& effort) {
     Light light;
-    light.to_sun = direction(view.sun_elevation, 0);
+    light.to_sun = direction_at(view.sun_elevation);
     light.sun_radius = radians(sun_diameter) / 2;
     const Vector eye(0, 0, air.ground_radius() + view.altitude);
-    const ViewRay ray = view_ray(air, eye, direction(view.elevation, view.azimuth));
+    const ViewRay ray = view_ray(air, eye, direction_at(view.elevation, view.azimuth));
     return traced(air, light, ray, effort);
 }
 

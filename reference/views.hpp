@@ -21,6 +21,9 @@ struct View {
     std::string name() const;
 };
 
+/// The unit vector at angles in degrees: elevation over the horizontal, azimuth from the sun's.
+Vector direction_at(double elevation, double azimuth = 0);
+
 /// A view in one channel of an atmosphere.
 Radiance traced(const Air& air, const View& view, double sun_diameter, const Effort& effort);
 

@@ -16,18 +16,12 @@ TEST_CASE("light that is scattered once is that of adaptive quadrature") {
     int far_off = 0;
     double squares = 0;
     for (const reference::View& view : reference::judged_views()) {
-        const double degree = airlight::pi<double> / 180;
-        const auto direction = [&](double elevation, double azimuth) {
-            return reference::Vector(std::cos(elevation * degree) * std::cos(azimuth * degree),
-                                     std::cos(elevation * degree) * std::sin(azimuth * degree),
-                                     std::sin(elevation * degree));
-        };
         const study::View same{"",
                                view.name(),
                                2,
                                {{view.altitude, reference::Vector(0, 0, 1)},
-                                direction(view.elevation, view.azimuth),
-                                direction(view.sun_elevation, 0),
+                                reference::direction_at(view.elevation, view.azimuth),
+                                reference::direction_at(view.sun_elevation),
                                 std::numeric_limits<double>::infinity()}};
         const airlight::vec3<double> expected = study::true_radiance(same).radiance;
         for (int channel = 0; channel < 3; ++channel) {

@@ -15,11 +15,6 @@ double apart(const Estimate& a, const Estimate& b) {
     return std::fabs(a.mean - b.mean) / std::hypot(a.error, b.error);
 }
 
-Vector direction_at(double elevation) {
-    const double e = elevation * airlight::pi<double> / 180;
-    return {std::cos(e), 0, std::sin(e)};
-}
-
 }  // namespace
 
 TEST_CASE("furnace: in even light, over white ground, air that absorbs nothing cannot be seen") {
