@@ -19,6 +19,9 @@ RADIUS = 6371e3
 LAYERS = [(30e3, 4e3, 8e3), (22e3, 5e3, 8e3), (25e3, 3e3, 8e3), (30e3, 6e3, 8e3), (20e3, 3e3, 7e3)]
 # Leenman's is the one layer of this kind that is printed: it weighs the most.
 WEIGHTS = [8, 1, 1, 1, 1]
+# Not fitted, only judged: wide, high over the molecules, narrow.
+OTHERS = [(30e3, 12e3, 8e3), (30e3, 20e3, 8e3), (0, 20e3, 8e3), (30e3, 4e3, 4e3), (30e3, 4e3, 2e3), (30e3, 4e3, 500),
+          (30e3, 1e3, 8e3), (30e3, 300, 8e3)]
 # Where the fit starts: what the header has.
 SHELLS = [-7.99, -6.01, -4.35, -2.55, -1.47, -0.39, -0.01, 0.56, 0.98, 1.6, 2.63, 5.29]
 SHARES = [0.959, 0.983, 0.969, 0.96, 0.977, 1.015, 1.024, 1.001, 0.945, 0.903, 0.727, 0]
@@ -30,7 +33,7 @@ class Layer:
     def __init__(self, centre, width, height):
         self.centre, self.width, self.height = centre, width, height
         self.lines = []
-        top = centre + 15 * width
+        top = max(centre + 15 * width, 10 * height)
         tails = numpy.linspace(0, centre + 5 * width, 31)
         peak = numpy.linspace(centre - 2 * width, centre + 2 * width, 41)  # a line at the peak feels every kink
         for perigee in numpy.concatenate([tails, peak]):
@@ -60,7 +63,10 @@ class Layer:
 
     def errors(self, shells, shares):
         """Of all columns, over the largest; of the steep columns from the ground, relative."""
-        at = self.centre + self.width * shells
+        # As lorentzian_ramps places them.
+        centre = min(self.centre, 6 * self.height)
+        at = centre + min(self.width, max(-centre / shells[0], 0.7 * self.height)) * shells
+        at[0] = min(at[0], 0)
         density = self.density(at) * shares
         off = self.outwards(lambda altitude: numpy.interp(altitude, at, density)) - self.columns
         return off / self.largest, off[-len(STEEP):, 0] / self.columns[-len(STEEP):, 0]
@@ -91,10 +97,10 @@ def main():
         shells, shares = unpacked(least_squares(residuals, start, max_nfev=rounds).x)
     print("shells [half widths]:", ", ".join(f"{x:.2f}" for x in shells))
     print("shares:", ", ".join(f"{x:.3f}" for x in shares))
-    for layer in layers:
+    for layer in layers + [Layer(*other) for other in OTHERS]:
         level, steep = layer.errors(shells, shares)
-        print(f"centre {layer.centre / 1e3:.0f} km, half width {layer.width / 1e3:.0f} km, scale height "
-              f"{layer.height / 1e3:.0f} km: {numpy.abs(level).max():.1e} of the largest column, "
+        print(f"centre {layer.centre / 1e3:.0f} km, half width {layer.width / 1e3:g} km, scale height "
+              f"{layer.height / 1e3:g} km: {numpy.abs(level).max():.1e} of the largest column, "
               f"{numpy.abs(steep).max():.1e} of the steep ones")
 
 
