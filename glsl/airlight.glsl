@@ -2218,6 +2218,13 @@ vec3 airlight_ambient_radiance(vec3 ambient_scattering, float rayleigh_column, v
 #define AIRLIGHT_VISIBILITY(position) 1.0
 #endif
 
+// Hook: the share of light that reaches a point from a far source, 0 where the planet hides it. By default
+// it is computed; a table takes its place. A macro sees the caller's `atmosphere`.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_TRANSMITTANCE_TO_SPACE
+#define AIRLIGHT_TRANSMITTANCE_TO_SPACE(altitude, mu) (airlight_transmittance_to_space(atmosphere, (altitude), (mu)))
+#endif
+
 // What the air adds to a view ray, and the share it lets through.
 struct airlight_Scattered {
     vec3 radiance;       // [1/sr] towards the eye, per unit of solar irradiance above the air
@@ -2527,8 +2534,8 @@ airlight_Scattered airlight_single_scattering(airlight_Atmosphere atmosphere, ai
 //
 //     L = sum over the samples of T(eye, x) T(x, sun) V(x) (sigma_R rho_R p_R + sigma_M rho_M p_M) step
 //
-// The air between the eye and a sample is summed on the way; the air between a sample and the
-// sun comes in closed form.
+// The air between the eye and a sample is summed on the way; what passes between a sample and the sun comes
+// in closed form, or from a table by a hook.
 //
 // Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result per
 //           unit of solar irradiance above the air, radiance [1/sr].
@@ -2566,7 +2573,7 @@ airlight_Scattered airlight_single_scattering_marched(airlight_Atmosphere atmosp
         passed.mie += half_step.mie;
         passed.ozone += half_step.ozone;
         vec3 seen = exp(-airlight_column_optical_depth(atmosphere, passed));
-        vec3 sunlit = airlight_transmittance_to_space(atmosphere, altitude, mu_s);
+        vec3 sunlit = AIRLIGHT_TRANSMITTANCE_TO_SPACE(altitude, mu_s);
         float lit_length = step_length * AIRLIGHT_VISIBILITY(direction * (ray.begin + t));
         rayleigh_light += seen * sunlit * (lit_length * density.rayleigh);
 #if AIRLIGHT_MIE

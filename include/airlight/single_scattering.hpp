@@ -324,8 +324,8 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
 ///
 ///     L = sum over the samples of T(eye, x) T(x, sun) V(x) (sigma_R rho_R p_R + sigma_M rho_M p_M) step
 ///
-/// The air between the eye and a sample is summed on the way; the air between a sample and the
-/// sun comes in closed form.
+/// The air between the eye and a sample is summed on the way; what passes between a sample and the sun comes
+/// in closed form, or from a table by a hook.
 ///
 /// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result per
 ///           unit of solar irradiance above the air, radiance [1/sr].
@@ -334,10 +334,12 @@ Scattered<T> single_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<
 /// Accuracy: second order in the step, where a step is shorter than the scale heights it crosses.
 /// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
 /// Source:   the single-scattering integral, by the midpoint rule.
-template <typename T, typename Scene = DefaultScene, typename Visibility = AlwaysLit>
-Scattered<T> single_scattering_marched(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye,
-                                       const vec3<T>& direction, const vec3<T>& to_sun, T distance, int steps,
-                                       const Visibility& visibility = Visibility{}) {
+template <typename T, typename Scene = DefaultScene, typename Visibility = AlwaysLit,
+          typename TransmittanceToSpace = ComputedTransmittance<Scene>>
+Scattered<T> single_scattering_marched(
+    const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, const vec3<T>& direction, const vec3<T>& to_sun,
+    T distance, int steps, const Visibility& visibility = Visibility{},
+    const TransmittanceToSpace& transmittance_to_sun = TransmittanceToSpace{}) {
     const T radius = atmosphere.ground_radius;
     const AirRay<T> ray = air_ray(atmosphere, eye, direction, distance);
     if (!ray.in_air) {
@@ -364,7 +366,7 @@ Scattered<T> single_scattering_marched(const Atmosphere<T>& atmosphere, const Vi
         passed.mie += half_step.mie;
         passed.ozone += half_step.ozone;
         const vec3<T> seen = glm::exp(-column_optical_depth<T, Scene>(atmosphere, passed));
-        const vec3<T> sunlit = transmittance_to_space<T, Scene>(atmosphere, altitude, mu_s);
+        const vec3<T> sunlit = transmittance_to_sun(atmosphere, altitude, mu_s);
         const T lit_length = step_length * visibility(direction * (ray.begin + t));
         rayleigh_light += seen * sunlit * (lit_length * density.rayleigh);
         if constexpr (Scene::mie) {

@@ -50,4 +50,14 @@ vec3<T> transmittance_to_space(const Atmosphere<T>& atmosphere, T altitude, T mu
     return transmittance<T, Scene>(atmosphere, altitude, mu, no_surface<T>());
 }
 
+/// Hook: the share of light that reaches a point from a far source, 0 where the planet hides it. By default
+/// it is computed; a table takes its place. A macro sees the caller's `atmosphere`.
+template <typename Scene = DefaultScene>
+struct ComputedTransmittance {
+    template <typename T>
+    vec3<T> operator()(const Atmosphere<T>& atmosphere, T altitude, T mu) const {
+        return transmittance_to_space<T, Scene>(atmosphere, altitude, mu);
+    }
+};
+
 }  // namespace airlight

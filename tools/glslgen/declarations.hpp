@@ -19,6 +19,9 @@ std::vector<Line> read_function(const Site& site);
 /// A hook's functor. It has no GLSL of its own: its macro stands in the files that use the hook.
 void read_functor(const Site& site);
 
+/// The parameters of a hook's macro: those of the functor that are no structures.
+std::vector<std::string> macro_parameters(const Functor& functor);
+
 /// The default of a hook's macro, guarded, with the functor's comment.
 std::vector<Line> hook_lines(const Program& program, const std::string& hook);
 

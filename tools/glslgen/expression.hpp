@@ -80,6 +80,9 @@ class ExpressionReader {
     Value builtin_call();
     Value own_call(const std::string& name);
     Value hook_call(const std::string& hook);
+    /// A structure that a hook takes: its macro's text names the caller's variable, so nothing is passed.
+    void drop_structure_of_hook(const std::string& hook, const Variable& parameter);
+    void note_call(const std::string& name);
     Value scene_member();
     Value infinity();
     Value named();

@@ -12,6 +12,26 @@ const std::string* ExpressionReader::hook_of(const std::string& parameter) const
     return nullptr;
 }
 
+void ExpressionReader::drop_structure_of_hook(const std::string& hook, const Variable& parameter) {
+    const Local* local = tokens_.kind() == TokenKind::identifier ? locals_.find(tokens_.text()) : nullptr;
+    const bool whole = tokens_.text(1) == "," || tokens_.text(1) == ")";
+    if (!local || !whole || local->type != parameter.type || !tokens_.next_is(parameter.name)) {
+        tokens_.refuse("the hook " + hook + " takes the caller's " + cpp_type(parameter.type) + " " +
+                       parameter.name + ": its macro sees no other");
+    }
+    tokens_.drop();
+}
+
+void ExpressionReader::note_call(const std::string& name) {
+    bool known = false;
+    for (const std::string& call : function_.calls) {
+        known = known || call == name;
+    }
+    if (!known) {
+        function_.calls.push_back(name);
+    }
+}
+
 Value ExpressionReader::hook_call(const std::string& hook) {
     const unsigned line = tokens_.line();
     const Hook& called = program_.hooks.at(hook);
@@ -21,14 +41,30 @@ Value ExpressionReader::hook_call(const std::string& hook) {
                        "' is neither called nor passed on as its callee's hook");
     }
     tokens_.replace(called.glsl);
-    const std::vector<Value> values = arguments("(", ")");
-    bool fits = values.size() == functor.parameters.size();
-    for (std::size_t i = 0; fits && i < values.size(); ++i) {
-        fits = values[i].type == functor.parameters[i].type;
-    }
-    if (!fits) {
+    tokens_.take("(", "a hook's call");
+    const auto refuse = [&]() -> void {
         throw Refused(line,
                       "the hook " + hook + " is called otherwise than " + functor.name + "::operator()");
+    };
+    for (std::size_t i = 0; i < functor.parameters.size(); ++i) {
+        const Variable& parameter = functor.parameters[i];
+        const bool last = i + 1 == functor.parameters.size();
+        if (parameter.type.is(Type::Kind::structure)) {
+            drop_structure_of_hook(hook, parameter);
+            if (!last && !tokens_.drop_if(",")) {
+                refuse();
+            }
+            continue;
+        }
+        if (tokens_.next_is(")") || expression().type != parameter.type || (!last && !tokens_.take_if(","))) {
+            refuse();
+        }
+    }
+    if (!tokens_.take_if(")")) {
+        refuse();
+    }
+    for (const std::string& call : functor.calls) {
+        note_call(call);
     }
     return value_of(functor.result);
 }
@@ -114,13 +150,7 @@ Value ExpressionReader::own_call(const std::string& name) {
                       "'" + name + "' takes " + std::to_string(callee.parameters.size()) + " arguments");
     }
     tokens_.take();
-    bool known = false;
-    for (const std::string& call : function_.calls) {
-        known = known || call == name;
-    }
-    if (!known) {
-        function_.calls.push_back(name);
-    }
+    note_call(name);
     function_.flags.insert(callee.flags.begin(), callee.flags.end());
     function_.all_hooks.insert(callee.all_hooks.begin(), callee.all_hooks.end());
     return value_of(callee.result);

@@ -40,6 +40,11 @@ class Registration {
     bool done_ = false;
 };
 
+/// A structure is no parameter of the macro: its text sees the caller's variable of that name.
+bool seen_by_macro(const Variable& parameter) {
+    return parameter.type.is(Type::Kind::structure);
+}
+
 /// `{ return expression; }` of a functor, as the text of a macro whose parameters may be any expression.
 std::string macro_body(const Site& site, const MemberDeclaration& call, Function& function) {
     TokenStream tokens(site.header, site.edits, call.body_begin, call.body_end);
@@ -63,10 +68,12 @@ std::string macro_body(const Site& site, const MemberDeclaration& call, Function
     std::size_t kept = 0;
     for (std::size_t i = first; i < last; ++i) {
         const std::string& text = site.header.tokens[i].text;
-        const bool is_parameter =
-            site.edits[i].kind == Edit::Kind::keep && site.header.tokens[i - 1].text != "." &&
-            std::any_of(function.parameters.begin(), function.parameters.end(),
-                        [&](const Variable& parameter) { return parameter.name == text; });
+        const bool is_parameter = site.edits[i].kind == Edit::Kind::keep &&
+                                  site.header.tokens[i - 1].text != "." &&
+                                  std::any_of(function.parameters.begin(), function.parameters.end(),
+                                              [&](const Variable& parameter) {
+                                                  return parameter.name == text && !seen_by_macro(parameter);
+                                              });
         if (is_parameter) {
             site.edits[i].kind = Edit::Kind::replace;
             site.edits[i].text = "(" + text + ")";
@@ -87,7 +94,7 @@ std::vector<Line> read_function(const Site& site) {
     if (site.program.functions.count(function.name)) {
         throw Refused(declaration.line, "'" + function.name + "' is an overload: one name has one signature");
     }
-    check_words(site.header.tokens, declaration.begin, declaration.end);
+    check_words(site.header.tokens, declaration.begin, declaration.end, declaration.body_begin);
     read_signature(site.program, site.header, declaration, function);
     if (declaration.scope.empty()) {
         check_function_docstring(doc, function.name, declaration.line);
@@ -119,6 +126,10 @@ void read_functor(const Site& site) {
     if (declaration.members.size() != 1) {
         throw Refused(declaration.line, "a hook's functor has one member, operator()");
     }
+    const std::vector<TemplateParameter>& scene = declaration.template_parameters;
+    if (scene.size() > 1 || (scene.size() == 1 && scene.front().name != "Scene")) {
+        throw Refused(declaration.line, "a hook's functor is a template of nothing or of the Scene");
+    }
     const MemberDeclaration& call = declaration.members.front();
     check_words(site.header.tokens, call.body_begin, call.body_end);
     Functor functor;
@@ -127,6 +138,7 @@ void read_functor(const Site& site) {
     Function function;
     static_cast<Named&>(function) = named(site);
     function.complete = true;
+    function.has_scene = functor.has_scene = scene.size() == 1;
     function.result = functor.result;
     for (const ParameterDeclaration& parameter : call.parameters) {
         if (parameter.name.empty()) {
@@ -142,16 +154,27 @@ void read_functor(const Site& site) {
     function.parameters = functor.parameters;
     functor.body = macro_body(site, call, function);
     functor.flags = function.flags;
+    functor.calls = function.calls;
     functor.comment = comment_lines(site.comments.doc);
     site.program.functors[functor.name] = functor;
+}
+
+std::vector<std::string> macro_parameters(const Functor& functor) {
+    std::vector<std::string> names;
+    for (const Variable& parameter : functor.parameters) {
+        if (!seen_by_macro(parameter)) {
+            names.push_back(parameter.name);
+        }
+    }
+    return names;
 }
 
 std::vector<Line> hook_lines(const Program& program, const std::string& hook) {
     const Hook& found = program.hooks.at(hook);
     const Functor& functor = program.functors.at(found.functor);
     std::string parameters;
-    for (const Variable& parameter : functor.parameters) {
-        parameters += (parameters.empty() ? "" : ", ") + parameter.name;
+    for (const std::string& parameter : macro_parameters(functor)) {
+        parameters += (parameters.empty() ? "" : ", ") + parameter;
     }
     std::vector<Line> lines = functor.comment;
     lines.push_back(

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "declarations.hpp"
 #include "layout.hpp"
 #include "writer.hpp"
 
@@ -80,11 +81,10 @@ Json flag_entry(const Flag& flag) {
 }
 
 Json hook_entry(const Hook& hook, const Functor& functor) {
-    Json names = Json::array();
-    for (const Variable& parameter : functor.parameters) {
-        names.push_back(parameter.name);
-    }
-    return {{"name", hook.name}, {"macro", hook.glsl}, {"parameters", names}, {"default", functor.body}};
+    return {{"name", hook.name},
+            {"macro", hook.glsl},
+            {"parameters", macro_parameters(functor)},
+            {"default", functor.body}};
 }
 
 Json function_entry(const Function& function, const Program& program) {

@@ -47,8 +47,10 @@ struct Structure : Named {
 struct Functor : Named {
     std::vector<Variable> parameters;
     Type result;
-    std::string body;  ///< the default as a GLSL expression
+    bool has_scene = false;  ///< a template of the Scene, which its default passes on
+    std::string body;        ///< the default as a GLSL expression
     std::set<std::string> flags;
+    std::vector<std::string> calls;  ///< what the default calls
     std::vector<Line> comment;
 };
 

@@ -82,7 +82,9 @@ TemplateParameter read_template_parameter(CXCursor cursor) {
     parameter.name = take(clang_getCursorSpelling(cursor));
     parameter.is_type = clang_getCursorKind(cursor) == CXCursor_TemplateTypeParameter;
     visit_children(cursor, [&](CXCursor child) {
-        if (clang_getCursorKind(child) == CXCursor_TypeRef) {
+        // A default of its own, or a template of the Scene: the first name says which.
+        const CXCursorKind kind = clang_getCursorKind(child);
+        if (parameter.default_type.empty() && (kind == CXCursor_TypeRef || kind == CXCursor_TemplateRef)) {
             parameter.default_type = take(clang_getCursorSpelling(clang_getCursorReferenced(child)));
         }
     });

@@ -27,7 +27,7 @@ bool take_suffix(std::string& text, const std::string& suffix) {
 }
 
 Hook& register_hook(Program& program, const Header& header, const TemplateParameter& parameter,
-                    unsigned line) {
+                    bool has_scene, unsigned line) {
     const auto functor = program.functors.find(parameter.default_type);
     if (functor == program.functors.end()) {
         if (program.refused.count(parameter.default_type)) {
@@ -37,6 +37,10 @@ Hook& register_hook(Program& program, const Header& header, const TemplateParame
                       "template parameter '" + parameter.name +
                           "': besides T and Scene = DefaultScene there are hooks only, and a hook's default "
                           "is a functor of airlight");
+    }
+    if (functor->second.has_scene && !has_scene) {
+        throw Refused(line, "the hook " + parameter.name + " is " + functor->first +
+                                "<Scene>: the function needs the template parameter Scene before it");
     }
     const auto known = program.hooks.find(parameter.name);
     if (known != program.hooks.end()) {
@@ -75,7 +79,7 @@ void read_template_parameters(Program& program, const Header& header, const Decl
             }
             function.has_scene = true;
         } else {
-            register_hook(program, header, parameter, declaration.line);
+            register_hook(program, header, parameter, function.has_scene, declaration.line);
             function.hooks.push_back(parameter.name);
         }
     }

@@ -225,10 +225,11 @@ std::string reason_against_word(const std::string& word) {
     return entry == refused_words().end() ? "" : entry->second;
 }
 
-void check_words(const std::vector<Token>& tokens, std::size_t begin, std::size_t end) {
+void check_words(const std::vector<Token>& tokens, std::size_t begin, std::size_t end, std::size_t head_end) {
     for (const Token& token : tokens) {
-        if (token.begin < begin || token.end > end || token.kind == TokenKind::comment ||
-            token.text == "&") {  // '&' is judged where the type or the expression is read
+        // '&' is judged where the type or the expression is read; '>>' closes two lists in a head.
+        if (token.begin < begin || token.end > end || token.kind == TokenKind::comment || token.text == "&" ||
+            (token.text == ">>" && token.begin < head_end)) {
             continue;
         }
         const std::string reason = reason_against_word(token.text);

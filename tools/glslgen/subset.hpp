@@ -13,8 +13,10 @@ void check_identifier(const std::string& name, unsigned line);
 /// Why a word of C++ is outside the subset; empty for a word that may stand in a translated declaration.
 std::string reason_against_word(const std::string& word);
 
-/// Throws Refused at the first token of a declaration that no translated declaration may hold.
-void check_words(const std::vector<Token>& tokens, std::size_t begin, std::size_t end);
+/// Throws Refused at the first token of a declaration that no translated declaration may hold; what ends
+/// before `head_end` is a function's head.
+void check_words(const std::vector<Token>& tokens, std::size_t begin, std::size_t end,
+                 std::size_t head_end = 0);
 
 /// Throws Refused unless the comment block is a docstring with the five labels.
 void check_function_docstring(const std::vector<std::string>& lines, const std::string& name, unsigned line);

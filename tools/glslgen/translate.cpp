@@ -220,6 +220,10 @@ class Translator {
             case Declaration::Kind::variable_template:
                 return read_constant(site);
             case Declaration::Kind::struct_template:
+                if (is_functor(declaration)) {
+                    read_functor(site);
+                    return {};
+                }
                 return read_structure(site);
             case Declaration::Kind::function: {
                 std::vector<Line> lines = read_function(site);
@@ -240,15 +244,18 @@ class Translator {
                           ") is outside the subset: a header holds constants, structs and functions");
     }
 
+    static bool is_functor(const Declaration& declaration) {
+        const std::vector<MemberDeclaration>& members = declaration.members;
+        return std::any_of(members.begin(), members.end(), [](const MemberDeclaration& member) {
+            return member.kind == MemberDeclaration::Kind::call_operator;
+        });
+    }
+
     static std::vector<Line> read_record(const Site& site) {
-        const std::vector<MemberDeclaration>& members = site.declaration.members;
         if (site.declaration.name == "DefaultScene") {
             return read_scene(site);
         }
-        const bool functor = std::any_of(members.begin(), members.end(), [](const MemberDeclaration& member) {
-            return member.kind == MemberDeclaration::Kind::call_operator;
-        });
-        if (!functor) {
+        if (!is_functor(site.declaration)) {
             throw Refused(site.declaration.line,
                           "'" + site.declaration.name +
                               "' is no template: a struct is template <typename T>, the scene is "
