@@ -2592,6 +2592,777 @@ airlight_Scattered airlight_single_scattering_marched(airlight_Atmosphere atmosp
     return airlight_Scattered(radiance, exp(-airlight_column_optical_depth(atmosphere, passed)));
 }
 
+// ---- table_mapping ----------------------------------------------------------
+
+// A point of a table over altitude and one cosine.
+struct airlight_AltitudeCosine {
+    float altitude;  // [L] in [0, top_altitude]
+    float mu;        // [1] in [-1, 1], cosine between a direction and the vertical
+};
+
+// A share in [0, 1], whatever it is given.
+//
+// Units:    part and whole in one unit; result [1].
+// Domain:   every number.
+// Accuracy: 1 roundoff.
+// Errors:   a whole of 0 or less gives 0; so does NaN in C++.
+// Source:   none.
+float airlight_share_of(float part, float whole) {
+    return whole > 0.0 ? min(max(0.0, part / whole), 1.0) : 0.0;
+}
+
+// The coordinate at which a texture returns its first texel for x = 0 and its last one for x = 1.
+//
+//     u = (1/2 + x (size - 1)) / size
+//
+// Units:    x [1]; size in texels; result [1], in [0, 1].
+// Domain:   size >= 1; x outside [0, 1] counts as the end it is closer to.
+// Accuracy: 2 roundoffs.
+// Errors:   NaN gives the first texel in C++.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl, texture coordinates.
+float airlight_texture_from_unit(float x, int size) {
+    return (0.5 + airlight_share_of(x, 1.0) * float(size - 1)) / float(size);
+}
+
+// The inverse of texture_from_unit.
+//
+//     x = (u size - 1/2) / (size - 1)
+//
+// Units:    u [1]; size in texels; result [1], in [0, 1].
+// Domain:   size >= 1; u outside the centres of the first and last texel counts as that centre.
+// Accuracy: 2 roundoffs of size.
+// Errors:   a single texel gives 0; so does NaN in C++.
+// Source:   as texture_from_unit.
+float airlight_unit_from_texture(float u, int size) {
+    return airlight_share_of(u * float(size) - 0.5, float(size - 1));
+}
+
+// The altitude at which a table is read: the ground for what lies below it, the top for what lies above.
+// This is the one rule for all tables.
+//
+// Units:    altitude [L]; result [L].
+// Domain:   top_altitude >= 0.
+// Accuracy: exact.
+// Errors:   NaN gives 0 in C++.
+// Source:   none.
+float airlight_table_altitude(airlight_Atmosphere atmosphere, float altitude) {
+    return min(max(0.0, altitude), atmosphere.top_altitude);
+}
+
+// A cosine that rounding may have pushed out of [-1, 1].
+//
+// Units:    mu [1]; result [1].
+// Domain:   every number.
+// Accuracy: exact.
+// Errors:   NaN gives -1 in C++.
+// Source:   none.
+float airlight_table_cosine(float mu) {
+    return min(max(-1.0, mu), 1.0);
+}
+
+// Distance from a point to its horizon on the ground sphere.
+//
+// Units:    ground_radius, altitude and result [L].
+// Domain:   ground_radius > 0; altitude >= 0.
+// Accuracy: 3 roundoffs.
+// Errors:   below the ground 0.
+// Source:   Pythagoras.
+float airlight_horizon_distance(float ground_radius, float altitude) {
+    return airlight_safe_sqrt(altitude * (2.0 * ground_radius + altitude));
+}
+
+// The altitude that has its horizon at a distance.
+//
+//     r - R = distance^2 / (R + sqrt(R^2 + distance^2))
+//
+// Units:    ground_radius, distance and result [L].
+// Domain:   ground_radius > 0; distance >= 0.
+// Accuracy: 4 roundoffs.
+// Errors:   none.
+// Source:   difference of squares.
+float airlight_altitude_of_horizon(float ground_radius, float distance) {
+    float square = distance * distance;
+    return square / (ground_radius + sqrt(ground_radius * ground_radius + square));
+}
+
+// Cosine between the vertical and the horizon: 0 on the ground, towards -1 from far away.
+//
+// Units:    ground_radius and altitude [L]; result [1].
+// Domain:   ground_radius > 0; altitude >= 0.
+// Accuracy: 5 roundoffs.
+// Errors:   below the ground 0.
+// Source:   definition.
+float airlight_horizon_cosine(float ground_radius, float altitude) {
+    return -airlight_horizon_distance(ground_radius, altitude) / (ground_radius + altitude);
+}
+
+// How much longer a ray to the top of the air is than the vertical one.
+//
+//     d - (top - h) = d (R + h) (1 - mu) / (2 R + top + h) (1 + (R + h) (1 + mu) / (R + top + s))
+//
+// with s the ray's half chord in the sphere of the top: a product of positive terms, nothing cancels.
+//
+// Units:    lengths [L]; mu [1]; result [L].
+// Domain:   ground_radius > 0; altitude in [0, top_altitude]; mu in [-1, 1]. Ignores the ground.
+// Accuracy: 12 roundoffs.
+// Errors:   none.
+// Source:   roots without cancellation as in intersect_ray_sphere.
+float airlight_excess_to_top(float ground_radius, float top_altitude, float altitude, float mu) {
+    float radius = ground_radius + altitude;
+    float along = radius * mu;
+    float sum = 2.0 * ground_radius + top_altitude + altitude;
+    float gap = (top_altitude - altitude) * sum;
+    float half_chord = airlight_safe_sqrt(along * along + gap);
+    float distance = along > 0.0 ? gap / (along + half_chord) : half_chord - along;
+    float bend = 1.0 + radius * (1.0 + mu) / (ground_radius + top_altitude + half_chord);
+    return distance * (radius * (1.0 - mu) / sum) * bend;
+}
+
+// The inverse of excess_to_top: the cosine of the ray that is longer than the vertical one by `excess`.
+//
+// Units:    lengths [L]; result [1], in [-1, 1].
+// Domain:   ground_radius > 0; altitude in [0, top_altitude]; excess >= 0.
+// Accuracy: 6 roundoffs of 1.
+// Errors:   at the top, where rays upward have no length, an excess of 0 gives the vertical.
+// Source:   law of cosines.
+float airlight_cosine_from_excess(float ground_radius, float top_altitude, float altitude, float excess) {
+    float shortest = top_altitude - altitude;
+    float distance = shortest + excess;
+    if (distance <= 0.0) {
+        return 1.0;
+    }
+    float sum = 2.0 * ground_radius + top_altitude + altitude;
+    return airlight_table_cosine((shortest / distance * sum - distance) / (2.0 * (ground_radius + altitude)));
+}
+
+// Where a table over altitude and angle is read: x is the altitude, y the angle, 0 up and 1 down.
+//
+//     x = altitude / top_altitude,   y = (1 - mu) / 2
+//
+// Units:    altitude [L]; mu [1]; width and height in texels; result [1], in [0, 1].
+// Domain:   every altitude and cosine, see table_altitude; width and height >= 1.
+// Accuracy: 4 roundoffs.
+// Errors:   none.
+// Source:   the plainest choice; even in the cosine, so few texels lie close to the horizon.
+vec2 airlight_extinction_uv(airlight_Atmosphere atmosphere, float altitude, float mu, int width, int height) {
+    float x = airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude);
+    float y = 0.5 * (1.0 - airlight_table_cosine(mu));
+    return vec2(airlight_texture_from_unit(x, width), airlight_texture_from_unit(y, height));
+}
+
+// The inverse of extinction_uv.
+//
+// Units:    uv [1]; width and height in texels.
+// Domain:   every uv; width and height >= 1.
+// Accuracy: 4 roundoffs of the size.
+// Errors:   none.
+// Source:   as extinction_uv.
+airlight_AltitudeCosine airlight_extinction_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
+                                                       int height) {
+    return airlight_AltitudeCosine(airlight_unit_from_texture(uv.x, width) * atmosphere.top_altitude,
+                                   1.0 - 2.0 * airlight_unit_from_texture(uv.y, height));
+}
+
+// The share, in [0, 1], that spreads altitudes in a table: even in the distance to the horizon, so that
+// texels crowd at the ground.
+//
+// Units:    altitude [L]; result [1].
+// Domain:   every altitude, see table_altitude.
+// Accuracy: 5 roundoffs.
+// Errors:   none.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl; in altitudes.
+float airlight_unit_from_altitude(airlight_Atmosphere atmosphere, float altitude) {
+    return airlight_share_of(airlight_horizon_distance(atmosphere.ground_radius,
+                                                       airlight_table_altitude(atmosphere, altitude)),
+                             airlight_horizon_distance(atmosphere.ground_radius, atmosphere.top_altitude));
+}
+
+// The inverse of unit_from_altitude.
+//
+// Units:    x [1]; result [L].
+// Domain:   x in [0, 1].
+// Accuracy: 8 roundoffs.
+// Errors:   none.
+// Source:   as unit_from_altitude.
+float airlight_altitude_from_unit(airlight_Atmosphere atmosphere, float x) {
+    float distance = x * airlight_horizon_distance(atmosphere.ground_radius, atmosphere.top_altitude);
+    return min(airlight_altitude_of_horizon(atmosphere.ground_radius, distance), atmosphere.top_altitude);
+}
+
+// The share, in [0, 1], that spreads the directions above the horizon: even in the ray's length, from the
+// vertical (0) to the horizon (1).
+//
+// Units:    altitude [L]; mu [1]; result [1].
+// Domain:   altitude in [0, top_altitude]; mu in [-1, 1]; below the horizon 1.
+// Accuracy: 30 roundoffs.
+// Errors:   none.
+// Source:   as unit_from_altitude.
+float airlight_unit_from_upward_cosine(airlight_Atmosphere atmosphere, float altitude, float mu) {
+    float radius = atmosphere.ground_radius;
+    float top = atmosphere.top_altitude;
+    return airlight_share_of(airlight_excess_to_top(radius, top, altitude, mu),
+                             airlight_excess_to_top(radius, top, altitude,
+                                                    airlight_horizon_cosine(radius, altitude)));
+}
+
+// The inverse of unit_from_upward_cosine.
+//
+// Units:    altitude [L]; x [1]; result [1], from the horizon's cosine to 1.
+// Domain:   altitude in [0, top_altitude]; x in [0, 1].
+// Accuracy: 30 roundoffs of 1.
+// Errors:   none.
+// Source:   as unit_from_altitude.
+float airlight_upward_cosine_from_unit(airlight_Atmosphere atmosphere, float altitude, float x) {
+    float radius = atmosphere.ground_radius;
+    float top = atmosphere.top_altitude;
+    float horizon = airlight_horizon_cosine(radius, altitude);
+    float excess = x * airlight_excess_to_top(radius, top, altitude, horizon);
+    return max(airlight_cosine_from_excess(radius, top, altitude, excess), horizon);
+}
+
+// Where a table of transmittances to space is read: x is the direction, y the altitude. Only directions
+// above the horizon have a place.
+//
+// Units:    altitude [L]; mu [1]; width and height in texels; result [1], in [0, 1].
+// Domain:   every altitude and cosine, see table_altitude; below the horizon the horizon's place.
+// Accuracy: 32 roundoffs.
+// Errors:   none.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl; in altitudes.
+vec2 airlight_transmittance_uv(airlight_Atmosphere atmosphere, float altitude, float mu, int width,
+                               int height) {
+    float above = airlight_table_altitude(atmosphere, altitude);
+    return vec2(airlight_texture_from_unit(airlight_unit_from_upward_cosine(atmosphere, above,
+                                                                            airlight_table_cosine(mu)),
+                                                                            width),
+                airlight_texture_from_unit(airlight_unit_from_altitude(atmosphere, above), height));
+}
+
+// The inverse of transmittance_uv. The last column is the horizon to rounding: what fills the table has to
+// ignore the ground.
+//
+// Units:    uv [1]; width and height in texels.
+// Domain:   every uv; width and height >= 1.
+// Accuracy: 32 roundoffs of 1 in mu, 8 in altitude, times the size.
+// Errors:   none.
+// Source:   as transmittance_uv.
+airlight_AltitudeCosine airlight_transmittance_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
+                                                          int height) {
+    float altitude = airlight_altitude_from_unit(atmosphere, airlight_unit_from_texture(uv.y, height));
+    return airlight_AltitudeCosine(altitude,
+                                   airlight_upward_cosine_from_unit(atmosphere, altitude,
+                                                                    airlight_unit_from_texture(uv.x, width)));
+}
+
+// Where a table over the sun's height and the altitude is read, both even: irradiance on the ground and in
+// the air, light that has been scattered many times.
+//
+//     x = (1 + mu_s) / 2,   y = altitude / top_altitude
+//
+// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; result [1], in [0, 1].
+// Domain:   every altitude and cosine, see table_altitude; width and height >= 1.
+// Accuracy: 4 roundoffs.
+// Errors:   none.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl, irradiance; the same in
+//           Hillaire, UnrealEngineSkyAtmosphere (2020), RenderSkyCommon.hlsl, multiple scattering.
+vec2 airlight_altitude_sun_uv(airlight_Atmosphere atmosphere, float altitude, float mu_s, int width,
+                              int height) {
+    float x = 0.5 * (1.0 + airlight_table_cosine(mu_s));
+    float y = airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude);
+    return vec2(airlight_texture_from_unit(x, width), airlight_texture_from_unit(y, height));
+}
+
+// The inverse of altitude_sun_uv.
+//
+// Units:    uv [1]; width and height in texels.
+// Domain:   every uv; width and height >= 1.
+// Accuracy: 4 roundoffs of the size.
+// Errors:   none.
+// Source:   as altitude_sun_uv.
+airlight_AltitudeCosine airlight_altitude_sun_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
+                                                         int height) {
+    return airlight_AltitudeCosine(airlight_unit_from_texture(uv.y, height) * atmosphere.top_altitude,
+                                   2.0 * airlight_unit_from_texture(uv.x, width) - 1.0);
+}
+
+// ---- scattering_mapping -----------------------------------------------------
+
+// A point of a table over altitude, view direction and sun.
+struct airlight_AltitudeViewSun {
+    float altitude;       // [L] in [0, top_altitude]
+    float mu;             // [1] cosine between the view and the vertical
+    float mu_s;           // [1] cosine between the sun and the vertical
+    bool reaches_ground;  // whether the view ends on the ground sphere
+};
+
+// A point of a table over altitude, view direction, sun, and the angle between these two.
+struct airlight_ScatteringPoint {
+    float altitude;       // [L] in [0, top_altitude]
+    float mu;             // [1] cosine between the view and the vertical
+    float mu_s;           // [1] cosine between the sun and the vertical
+    float nu;             // [1] cosine between the view and the sun
+    bool reaches_ground;  // whether the view ends on the ground sphere
+};
+
+// Where a four-dimensional table is read: two places of its three-dimensional texture and their mixture.
+struct airlight_ScatteringLookup {
+    vec3 first;    // [1] texture coordinates at the next lower nu
+    vec3 second;   // [1] at the next higher one
+    float weight;  // [1] of the second; the first has 1 - weight
+};
+
+// The lowest sun that lights air in anybody's sight on the ground: sunlight that grazes the ground and
+// then a line of sight that does, each as far from the horizon as the top of the air.
+//
+//     -sin(2 d),  cos(d) = R / (R + top)
+//
+// Units:    result [1], a cosine between the sun and the vertical, in [-1, 0].
+// Domain:   ground_radius > 0, top_altitude >= 0.
+// Accuracy: 8 roundoffs.
+// Errors:   -1 where the air is so high that the sun is always in sight of some of it.
+// Source:   derived here.
+float airlight_lowest_sun_cosine(airlight_Atmosphere atmosphere) {
+    float radius = atmosphere.ground_radius;
+    float outer = radius + atmosphere.top_altitude;
+    float sine = airlight_horizon_distance(radius, atmosphere.top_altitude) / outer;
+    float cosine = radius / outer;
+    return cosine > sine ? -2.0 * sine * cosine : -1.0;
+}
+
+// How the sun's axis of inscatter_uvw bends: sampled (1 + 1/bend)^2 = 30 times as densely at the horizon
+// as at the zenith, as the tangent in its source is.
+const float airlight_sun_axis_bend = 0.225;
+
+// The sun's height, bent so that the horizon gets more room: mu / (|mu| + bend).
+//
+// Units:    mu_s [1]; result [1], in (-1, 1).
+// Domain:   mu_s in [-1, 1].
+// Accuracy: 3 roundoffs.
+// Errors:   none.
+// Source:   stands in for the arc tangent of the source of inscatter_uvw.
+float airlight_bent_sun(float mu_s) {
+    return mu_s / (abs(mu_s) + airlight_sun_axis_bend);
+}
+
+// Texture coordinate of an axis whose lower and upper half are tables of their own, so that filtering
+// never mixes them: x = 0 is where they meet, 1 the far end.
+//
+// Units:    x [1]; size in texels; result [1].
+// Domain:   size even, at least 2.
+// Accuracy: 3 roundoffs.
+// Errors:   none.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl.
+float airlight_texture_from_halves(float x, bool upper, int size) {
+    float within = 0.5 * airlight_texture_from_unit(x, size / 2);
+    return upper ? 0.5 + within : 0.5 - within;
+}
+
+// The x of texture_from_halves; the half is the upper one where u > 1/2.
+//
+// Units:    u [1]; size in texels; result [1], in [0, 1].
+// Domain:   size even, at least 2.
+// Accuracy: 3 roundoffs of size.
+// Errors:   none.
+// Source:   as texture_from_halves.
+float airlight_unit_from_halves(float u, int size) {
+    return airlight_unit_from_texture(abs(2.0 * u - 1.0), size / 2);
+}
+
+// Where a table over altitude (x), view (y) and sun (z) is read, all three even.
+//
+//     x = altitude / top_altitude,   y = (1 + mu) / 2,   z = (1 + mu_s) / 2
+//
+// Units:    altitude [L]; mu and mu_s [1]; sizes in texels; result [1], in [0, 1].
+// Domain:   every altitude and cosine, see table_altitude; sizes >= 1.
+// Accuracy: 4 roundoffs.
+// Errors:   none.
+// Source:   the plainest choice; the light changes at once at the horizon, where this has few texels.
+vec3 airlight_linear_inscatter_uvw(airlight_Atmosphere atmosphere, float altitude, float mu, float mu_s,
+                                   int width, int height, int depth) {
+    float x = airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude);
+    return vec3(airlight_texture_from_unit(x, width),
+                airlight_texture_from_unit(0.5 * (1.0 + airlight_table_cosine(mu)), height),
+                airlight_texture_from_unit(0.5 * (1.0 + airlight_table_cosine(mu_s)), depth));
+}
+
+// The inverse of linear_inscatter_uvw.
+//
+// Units:    uvw [1]; sizes in texels.
+// Domain:   every uvw; sizes >= 1.
+// Accuracy: 4 roundoffs of the size.
+// Errors:   a view exactly on the horizon does not reach the ground.
+// Source:   as linear_inscatter_uvw.
+airlight_AltitudeViewSun airlight_linear_inscatter_parameters(airlight_Atmosphere atmosphere, vec3 uvw,
+                                                              int width, int height, int depth) {
+    float altitude = airlight_unit_from_texture(uvw.x, width) * atmosphere.top_altitude;
+    float mu = 2.0 * airlight_unit_from_texture(uvw.y, height) - 1.0;
+    return airlight_AltitudeViewSun(altitude, mu, 2.0 * airlight_unit_from_texture(uvw.z, depth) - 1.0,
+                                    mu < airlight_horizon_cosine(atmosphere.ground_radius, altitude));
+}
+
+// Where a table over altitude (x), view (y) and sun (z) is read, with texels crowding where the light
+// changes: at the ground, at the view's horizon, at sunset.
+//
+//     x = sqrt(altitude / top_altitude)
+//     y = 1/2 + ((mu - mu_h) / (1 - mu_h))^(1/5) / 2      above the horizon
+//     y = 1/2 - ((mu_h - mu) / (1 + mu_h))^(1/5) / 2      on the ground
+//     z = (s(mu_s) - s(lowest_sun)) / (s(1) - s(lowest_sun)),   s(mu) = mu / (|mu| + bend)
+//
+// The sources have an arc tangent for z, which shaders compute as they like; s has its shape.
+//
+// Units:    altitude [L]; mu, mu_s and lowest_sun [1]; sizes in texels; result [1], in [0, 1].
+// Domain:   every altitude and cosine, see table_altitude; lowest_sun in [-1, 1), see lowest_sun_cosine;
+//           sizes >= 1, height even.
+// Accuracy: 8 roundoffs, and those that mu and the horizon's cosine have, to the fifth root: on the first
+//           texel beside the horizon a float holds a tenth of a texel for a height of 64.
+// Errors:   a sun below lowest_sun counts as there.
+// Source:   Yusov, Diligent epipolar light scattering, shaders (2019), powers 1/2 and 1/5, the two halves;
+//           planetary scattering in ralith's shaders, mapping.h, the horizon in the middle.
+vec3 airlight_inscatter_uvw(airlight_Atmosphere atmosphere, float altitude, float mu, float mu_s,
+                            bool reaches_ground, float lowest_sun, int width, int height, int depth) {
+    float radius = atmosphere.ground_radius;
+    float above = airlight_table_altitude(atmosphere, altitude);
+    float x = sqrt(airlight_share_of(above, atmosphere.top_altitude));
+
+    // How far from the horizon; 1 + mu_h without cancellation.
+    float horizon = airlight_horizon_cosine(radius, above);
+    float below_horizon = radius / (radius + above) * (radius / (radius + above)) / (1.0 - horizon);
+    float from_horizon =
+        reaches_ground ? airlight_share_of(horizon - mu, below_horizon) : airlight_share_of(mu - horizon,
+                                                                                            1.0 - horizon);
+    float y = from_horizon > 0.0 ? pow(from_horizon, 0.2) : 0.0;
+
+    float lowest = airlight_bent_sun(lowest_sun);
+    float z = airlight_share_of(airlight_bent_sun(airlight_table_cosine(mu_s)) - lowest,
+                                airlight_bent_sun(1.0) - lowest);
+    return vec3(airlight_texture_from_unit(x, width),
+                airlight_texture_from_halves(y, !reaches_ground, height),
+                airlight_texture_from_unit(z, depth));
+}
+
+// The inverse of inscatter_uvw.
+//
+// Units:    uvw and lowest_sun [1]; sizes in texels.
+// Domain:   every uvw; lowest_sun in [-1, 1); sizes >= 1, height even.
+// Accuracy: 16 roundoffs of the size.
+// Errors:   none.
+// Source:   as inscatter_uvw.
+airlight_AltitudeViewSun airlight_inscatter_parameters(airlight_Atmosphere atmosphere, vec3 uvw,
+                                                       float lowest_sun, int width, int height, int depth) {
+    float radius = atmosphere.ground_radius;
+    float x = airlight_unit_from_texture(uvw.x, width);
+    float altitude = x * x * atmosphere.top_altitude;
+
+    bool reaches_ground = uvw.y <= 0.5;
+    float horizon = airlight_horizon_cosine(radius, altitude);
+    float below_horizon = radius / (radius + altitude) * (radius / (radius + altitude)) / (1.0 - horizon);
+    float y = airlight_unit_from_halves(uvw.y, height);
+    float from_horizon = y * y * (y * y) * y;
+    float mu =
+        reaches_ground ? horizon - from_horizon * below_horizon : horizon + from_horizon * (1.0 - horizon);
+
+    float lowest = airlight_bent_sun(lowest_sun);
+    float bent = lowest + airlight_unit_from_texture(uvw.z, depth) * (airlight_bent_sun(1.0) - lowest);
+    float mu_s = airlight_sun_axis_bend * bent / (1.0 - abs(bent));
+    return airlight_AltitudeViewSun(altitude, airlight_table_cosine(mu), airlight_table_cosine(mu_s),
+                                    reaches_ground);
+}
+
+// How much longer a ray to the ground is than the vertical one.
+//
+//     d - h = d (R + h) (1 + mu) / (2 R + h) (1 + (R + h) (1 - mu) / (R + s))
+//
+// with s the ray's half chord in the ground sphere.
+//
+// Units:    lengths [L]; mu [1]; result [L].
+// Domain:   ground_radius > 0; altitude >= 0; mu in [-1, 0], at or below the horizon.
+// Accuracy: 12 roundoffs, where s is above a thousandth of the radius.
+// Errors:   none; above the horizon it counts as on it.
+// Source:   roots without cancellation as in intersect_ray_sphere.
+float airlight_excess_to_ground(float ground_radius, float altitude, float mu) {
+    float radius = ground_radius + altitude;
+    float sine = airlight_safe_sqrt((1.0 - mu) * (1.0 + mu));
+    float depth = ground_radius * (mu * mu / (1.0 + sine)) - altitude * sine;
+    float half_chord = airlight_safe_sqrt(depth * (ground_radius + radius * sine));
+    float product = altitude * (2.0 * ground_radius + altitude);
+    float distance = product > 0.0 ? product / (half_chord - radius * mu) : 0.0;
+    float bend = 1.0 + radius * (1.0 - mu) / (ground_radius + half_chord);
+    return distance * (radius * (1.0 + mu) / (2.0 * ground_radius + altitude)) * bend;
+}
+
+// The excess_to_ground of the ray to the horizon, the distance to it less the altitude.
+//
+// Units:    lengths [L]; result [L].
+// Domain:   ground_radius > 0; altitude >= 0.
+// Accuracy: 8 roundoffs.
+// Errors:   none.
+// Source:   excess_to_ground with no half chord.
+float airlight_excess_to_horizon(float ground_radius, float altitude) {
+    float horizon = airlight_horizon_distance(ground_radius, altitude);
+    float twice = 2.0 * ground_radius + altitude;
+    return horizon * (ground_radius / twice) * ((twice + horizon) / (ground_radius + altitude + horizon));
+}
+
+// The share, in [0, 1], that spreads suns in a table: from lowest_sun (0) to the zenith (1), with more room
+// at the horizon.
+//
+//     x = (1 - a / A) / (1 + a)
+//
+// with a the excess_to_top of the sunlight on the ground over that at the horizon, A its largest.
+//
+// Units:    mu_s and lowest_sun [1]; result [1].
+// Domain:   mu_s in [-1, 1]; lowest_sun in [-1, 1).
+// Accuracy: 64 roundoffs.
+// Errors:   a sun below lowest_sun counts as there.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl; A here exactly.
+float airlight_unit_from_sun(airlight_Atmosphere atmosphere, float mu_s, float lowest_sun) {
+    float radius = atmosphere.ground_radius;
+    float top = atmosphere.top_altitude;
+    float at_horizon = airlight_excess_to_top(radius, top, 0.0, 0.0);
+    float most = airlight_excess_to_top(radius, top, 0.0, lowest_sun);
+    float excess = airlight_excess_to_top(radius, top, 0.0, mu_s);
+    return at_horizon > 0.0 ? airlight_share_of(most - excess, most) * airlight_share_of(at_horizon,
+                                                                                         at_horizon + excess)
+                            : 0.0;
+}
+
+// The inverse of unit_from_sun.
+//
+// Units:    x and lowest_sun [1]; result [1], from lowest_sun to 1.
+// Domain:   x in [0, 1]; lowest_sun in [-1, 1).
+// Accuracy: 64 roundoffs of 1.
+// Errors:   none.
+// Source:   as unit_from_sun.
+float airlight_sun_from_unit(airlight_Atmosphere atmosphere, float x, float lowest_sun) {
+    float radius = atmosphere.ground_radius;
+    float top = atmosphere.top_altitude;
+    float at_horizon = airlight_excess_to_top(radius, top, 0.0, 0.0);
+    float most = airlight_excess_to_top(radius, top, 0.0, lowest_sun);
+    float excess = most * airlight_share_of(at_horizon * (1.0 - x), at_horizon + x * most);
+    return max(airlight_cosine_from_excess(radius, top, 0.0, excess), lowest_sun);
+}
+
+// A cosine between view and sun that these two can have: a table has places for others too.
+//
+//     |nu - mu mu_s| <= sqrt((1 - mu^2) (1 - mu_s^2))
+//
+// Units:    mu, mu_s and nu [1]; result [1].
+// Domain:   all in [-1, 1].
+// Accuracy: 4 roundoffs of 1.
+// Errors:   none.
+// Source:   spherical law of cosines.
+float airlight_possible_nu(float mu, float mu_s, float nu) {
+    float middle = mu * mu_s;
+    float reach = airlight_safe_sqrt((1.0 - mu) * (1.0 + mu)) * airlight_safe_sqrt((1.0 - mu_s) * (1.0 + mu_s));
+    return airlight_table_cosine(clamp(nu, middle - reach, middle + reach));
+}
+
+// Where a four-dimensional table is read. The texture's x has the sun for each nu side by side, y the view
+// (rays to the ground in its lower half, each half even in the ray's length), z the altitude: it is
+// nu_size * mu_s_size texels wide, mu_size high, altitude_size deep.
+//
+// Units:    altitude [L]; mu, mu_s, nu and lowest_sun [1]; result [1].
+// Domain:   every altitude and cosine, see table_altitude; lowest_sun in [-1, 1), see lowest_sun_cosine;
+//           sizes >= 1, mu_size even.
+// Accuracy: 64 roundoffs of the size; on the ground's horizon the root of one, a fiftieth of a texel in
+//           float for 128 texels.
+// Errors:   a sun below lowest_sun counts as there.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl; in altitudes.
+airlight_ScatteringLookup airlight_scattering_lookup(airlight_Atmosphere atmosphere, float altitude, float mu,
+                                                     float mu_s, float nu, bool reaches_ground,
+                                                     float lowest_sun, int nu_size, int mu_s_size,
+                                                     int mu_size, int altitude_size) {
+    float above = airlight_table_altitude(atmosphere, altitude);
+    float view = airlight_table_cosine(mu);
+    float ground = airlight_share_of(airlight_excess_to_ground(atmosphere.ground_radius, above,
+                                                               min(view, 0.0)),
+                                     airlight_excess_to_horizon(atmosphere.ground_radius, above));
+    float x_mu = reaches_ground ? ground : airlight_unit_from_upward_cosine(atmosphere, above, view);
+    float v = airlight_texture_from_halves(x_mu, !reaches_ground, mu_size);
+    float w = airlight_texture_from_unit(airlight_unit_from_altitude(atmosphere, above), altitude_size);
+    float u = airlight_texture_from_unit(airlight_unit_from_sun(atmosphere, airlight_table_cosine(mu_s),
+                                                                lowest_sun), mu_s_size);
+
+    float last = float(nu_size - 1);
+    float at_nu = airlight_share_of(1.0 + nu, 2.0) * last;
+    float first = floor(at_nu);
+    float second = min(first + 1.0, last);
+    return airlight_ScatteringLookup(vec3((first + u) / float(nu_size), v, w),
+                                     vec3((second + u) / float(nu_size), v, w), at_nu - first);
+}
+
+// What a texel of a four-dimensional table stands for: the inverse of scattering_lookup on the planes of
+// nu. Its nu may be one that the view and the sun cannot have, see possible_nu.
+//
+// Units:    uvw and lowest_sun [1].
+// Domain:   uvw in [0, 1]; lowest_sun in [-1, 1); sizes >= 1, mu_size even.
+// Accuracy: 64 roundoffs of the size.
+// Errors:   none.
+// Source:   as scattering_lookup.
+airlight_ScatteringPoint airlight_scattering_parameters(airlight_Atmosphere atmosphere, vec3 uvw,
+                                                        float lowest_sun, int nu_size, int mu_s_size,
+                                                        int mu_size, int altitude_size) {
+    float radius = atmosphere.ground_radius;
+    float altitude = airlight_altitude_from_unit(atmosphere,
+                                                 airlight_unit_from_texture(uvw.z, altitude_size));
+
+    bool reaches_ground = uvw.y <= 0.5;
+    float x_mu = airlight_unit_from_halves(uvw.y, mu_size);
+    float distance = altitude + x_mu * airlight_excess_to_horizon(radius, altitude);
+    float product = altitude * (2.0 * radius + altitude);
+    float down = distance > 0.0 ? -(product / distance + distance) / (2.0 * (radius + altitude)) : -1.0;
+    float ground = min(airlight_table_cosine(down), airlight_horizon_cosine(radius, altitude));
+    float mu = reaches_ground ? ground : airlight_upward_cosine_from_unit(atmosphere, altitude, x_mu);
+
+    float along = uvw.x * float(nu_size);
+    float plane = clamp(floor(along), 0.0, float(nu_size - 1));
+    float mu_s = airlight_sun_from_unit(atmosphere, airlight_unit_from_texture(along - plane, mu_s_size),
+                                        lowest_sun);
+    float nu = nu_size > 1 ? 2.0 * plane / float(nu_size - 1) - 1.0 : 0.0;
+    return airlight_ScatteringPoint(altitude, mu, mu_s, nu, reaches_ground);
+}
+
+// ---- sky_view_mapping -------------------------------------------------------
+
+// A direction around an eye, the sun ahead.
+struct airlight_SkyDirection {
+    float mu;              // [1] cosine between the view and the vertical
+    float azimuth_cosine;  // [1] of the angle between view and sun over the ground, 1 towards the sun
+    bool reaches_ground;   // whether the view ends on the ground sphere
+};
+
+// A point in front of a camera.
+struct airlight_FroxelPoint {
+    vec2 screen;     // [1] in [0, 1]
+    float distance;  // [L] from the camera
+};
+
+// Froxels whose slices are evenly far apart.
+#define AIRLIGHT_SLICES_LINEAR 0
+// Froxels whose slices crowd close to the camera: the distance is the square of the depth.
+#define AIRLIGHT_SLICES_QUADRATIC 1
+
+// Cosine of the angle, over the ground, between a view and the sun.
+//
+// Units:    up, direction and to_sun unit vectors; result [1].
+// Domain:   unit vectors, to rounding.
+// Accuracy: 8 roundoffs of 1.
+// Errors:   1 where the view or the sun is vertical and no such angle exists.
+// Source:   definition.
+float airlight_sun_azimuth_cosine(vec3 up, vec3 direction, vec3 to_sun) {
+    vec3 view = airlight_cross_of_unit_vectors(up, direction);
+    vec3 sun = airlight_cross_of_unit_vectors(up, to_sun);
+    float lengths = sqrt(airlight_dot_product(view, view)) * sqrt(airlight_dot_product(sun, sun));
+    return lengths > 0.0 ? airlight_table_cosine(airlight_dot_product(view, sun) / lengths) : 1.0;
+}
+
+// The direction with these cosines, on one of the two sides of the sun, which look alike.
+//
+// Units:    up and to_sun unit vectors; mu and azimuth_cosine [1]; result a unit vector.
+// Domain:   cosines in [-1, 1].
+// Accuracy: 8 roundoffs.
+// Errors:   a vertical sun stands for one ahead in some direction.
+// Source:   definition.
+vec3 airlight_sky_direction(vec3 up, vec3 to_sun, float mu, float azimuth_cosine) {
+    // Any axis that is not along up replaces a sun that is.
+    vec3 across_sun = airlight_cross_of_unit_vectors(up, to_sun);
+    float axis_x = abs(up.x) < 0.5 ? 1.0 : 0.0;
+    vec3 across_axis = cross(up, vec3(axis_x, 1.0 - axis_x, 0.0));
+    bool vertical = airlight_dot_product(across_sun, across_sun) <= 0.0;
+    float of_sun = vertical ? 0.0 : 1.0;
+    vec3 across = of_sun * across_sun + (1.0 - of_sun) * across_axis;
+    vec3 side = across / sqrt(airlight_dot_product(across, across));
+    vec3 ahead = cross(side, up);
+
+    float sine = airlight_safe_sqrt((1.0 - mu) * (1.0 + mu));
+    float aside = airlight_safe_sqrt((1.0 - azimuth_cosine) * (1.0 + azimuth_cosine));
+    return mu * up + sine * (azimuth_cosine * ahead + aside * side);
+}
+
+// Where the sky around an eye is read: x is the azimuth from the sun, y the height, 0 up and 1 down, with
+// texels crowding at the sun and on both sides of the horizon.
+//
+//     x = sqrt((1 - azimuth_cosine) / 2)
+//     y = 1/2 - sqrt(1 - sin(z / 2) / sin(z_h / 2)) / 2      above the horizon at zenith angle z_h
+//     y = 1/2 + sqrt(1 - sin(n / 2) / sin(n_h / 2)) / 2      on the ground, n = pi - z from the nadir
+//
+// Hillaire has the angles themselves; sines of half the angles are as even at the zenith and at the
+// horizon, and need only square roots. He filters across the horizon, this does not.
+//
+// Units:    altitude [L]; mu and azimuth_cosine [1]; width and height in texels; result [1], in [0, 1].
+// Domain:   altitude below the ground counts as 0; every cosine; width and height >= 1, height even.
+// Accuracy: 8 roundoffs, and the root of those that mu and the horizon's cosine have.
+// Errors:   none.
+// Source:   after Hillaire, UnrealEngineSkyAtmosphere (2020), RenderSkyCommon.hlsl; see
+//           docs/decisions/0014-sky-view-without-angles.md.
+vec2 airlight_sky_view_uv(float ground_radius, float altitude, float mu, float azimuth_cosine,
+                          bool reaches_ground, int width, int height) {
+    float above = max(0.0, altitude);
+    float horizon = airlight_horizon_cosine(ground_radius, above);
+    float share = ground_radius / (ground_radius + above);
+    // Squares of the half angles' sines, twice; that of the nadir without cancellation.
+    float to_horizon = reaches_ground ? share * share / (1.0 - horizon) : 1.0 - horizon;
+    float to_view = reaches_ground ? 1.0 + airlight_table_cosine(mu) : 1.0 - airlight_table_cosine(mu);
+    float gone = reaches_ground ? horizon - mu : mu - horizon;
+    float y = sqrt(airlight_share_of(gone, to_horizon + sqrt(to_horizon * to_view)));
+    float x = sqrt(airlight_share_of(1.0 - azimuth_cosine, 2.0));
+    return vec2(airlight_texture_from_unit(x, width),
+                airlight_texture_from_halves(y, reaches_ground, height));
+}
+
+// The inverse of sky_view_uv.
+//
+// Units:    altitude [L]; uv [1]; width and height in texels.
+// Domain:   altitude below the ground counts as 0; every uv; width and height >= 1, height even.
+// Accuracy: 8 roundoffs of the size.
+// Errors:   none.
+// Source:   as sky_view_uv.
+airlight_SkyDirection airlight_sky_view_parameters(float ground_radius, float altitude, vec2 uv, int width,
+                                                   int height) {
+    float above = max(0.0, altitude);
+    float horizon = airlight_horizon_cosine(ground_radius, above);
+    float share = ground_radius / (ground_radius + above);
+    bool reaches_ground = uv.y > 0.5;
+    float to_horizon = reaches_ground ? share * share / (1.0 - horizon) : 1.0 - horizon;
+    float y = airlight_unit_from_halves(uv.y, height);
+    float gone = to_horizon * (y * y) * (2.0 - y * y);
+    float mu = reaches_ground ? horizon - gone : horizon + gone;
+    float x = airlight_unit_from_texture(uv.x, width);
+    return airlight_SkyDirection(airlight_table_cosine(mu), 1.0 - 2.0 * x * x, reaches_ground);
+}
+
+// Where the air in front of a camera is read: x and y over the screen, z the depth. The first slice is at
+// the camera itself, where there is no air yet, the last one at max_distance.
+//
+// Units:    screen [1], in [0, 1]; distances [L]; sizes in texels; result [1], in [0, 1].
+// Domain:   every distance, beyond max_distance counts as there; slices is slices_linear or
+//           slices_quadratic; sizes >= 1.
+// Accuracy: 4 roundoffs.
+// Errors:   none.
+// Source:   squares as in Hillaire, UnrealEngineSkyAtmosphere (2020), RenderSkyRayMarching.hlsl.
+vec3 airlight_froxel_uvw(vec2 screen, float distance, float max_distance, int slices, int width, int height,
+                         int depth) {
+    float share = airlight_share_of(min(distance, max_distance), max_distance);
+    float z = slices == AIRLIGHT_SLICES_QUADRATIC ? sqrt(share) : share;
+    return vec3(airlight_texture_from_unit(screen.x, width), airlight_texture_from_unit(screen.y, height),
+                airlight_texture_from_unit(z, depth));
+}
+
+// The inverse of froxel_uvw.
+//
+// Units:    uvw [1]; max_distance [L]; sizes in texels.
+// Domain:   every uvw; slices is slices_linear or slices_quadratic; sizes >= 1.
+// Accuracy: 4 roundoffs of the size.
+// Errors:   none.
+// Source:   as froxel_uvw.
+airlight_FroxelPoint airlight_froxel_parameters(vec3 uvw, float max_distance, int slices, int width,
+                                                int height, int depth) {
+    float z = airlight_unit_from_texture(uvw.z, depth);
+    float share = slices == AIRLIGHT_SLICES_QUADRATIC ? z * z : z;
+    return airlight_FroxelPoint(vec2(airlight_unit_from_texture(uvw.x, width),
+                                     airlight_unit_from_texture(uvw.y, height)),
+                                share * max_distance);
+}
+
 // ---- compose ----------------------------------------------------------------
 
 // What the eye sees: the surface's light through the air, and the air's own.

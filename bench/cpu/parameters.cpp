@@ -1,6 +1,7 @@
 #include "parameters.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 
 namespace cpu_bench {
@@ -14,6 +15,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float alpha", "draw.between(0, 1)"},
     {"float altitude", "draw.altitude"},
     {"vec3 ambient_scattering", "atmosphere.rayleigh_scattering"},
+    {"float azimuth_cosine", "draw.between(-1, 1)"},
     {"vec3 b", "draw.to_sun"},
     {"float centre", "atmosphere.ozone_altitude"},
     {"bool climbing", "draw.choose(2)"},
@@ -24,6 +26,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"vec3 direction", "draw.direction"},
     {"float distance", "draw.distance"},
     {"float droplet_diameter_um", "draw.between(5, 50)"},
+    {"float excess", "draw.decades(2, 6)"},
     {"float exponent", "draw.between(0.5, 2)"},
     {"float exposure", "draw.between(1, 20)"},
     {"float extent", "draw.decades(2, 5)"},
@@ -41,9 +44,12 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float low", "atmosphere.ozone_altitude - atmosphere.ozone_half_width"},
     {"float low_along", "draw.decades(2, 5)"},
     {"float low_radius", "atmosphere.ground_radius + draw.decades(0, 4)"},
+    {"float lowest_sun", "T(-0.2)"},
+    {"float max_distance", "T(1e5)"},
     {"float mu", "draw.mu"},
     {"float mu_s", "draw.mu_s"},
     {"float new_units_per_old_unit", "draw.between(0.001, 1)"},
+    {"float nu", "draw.between(-1, 1)"},
     {"float number_density", "T(2.5e25)"},
     {"vec3 optical_depth", "draw.color(0, 2)"},
     {"float outwards", "draw.choose(2) ? T(1) : T(-1)"},
@@ -52,6 +58,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"vec3 viewpoint_from_centre.position", "(atmosphere.ground_radius + draw.altitude) * draw.up"},
     {"vec3 viewpoint_from_surface.position", "draw.decades(0, 5) * draw.direction"},
     {"float pulled", "draw.between(-5, 5)"},
+    {"bool reaches_ground", "draw.mu < T(0)"},
     {"vec3 radiance", "draw.color(0, 10)"},
     {"float line_point.radius", "(atmosphere.ground_radius + draw.altitude)"},
     {"float line_towards_sun.radius", "(atmosphere.ground_radius + draw.altitude)"},
@@ -73,6 +80,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"vec3 surface_radiance", "draw.color(0, 1)"},
     {"float t", "draw.decades(2, 5)"},
     {"vec3 to_sun", "draw.to_sun"},
+    {"float top_altitude", "atmosphere.top_altitude"},
     {"vec3 up_at_origin", "draw.up"},
     {"float visibility", "draw.decades(3, 5)"},
     {"float wavelength", "draw.between(4e-7, 7e-7)"},
@@ -81,7 +89,8 @@ const std::map<std::string, std::string> inputs_by_name = {
 };
 
 /// Parameters for which the range of their type is right: scalars and colours in [0, 1].
-const std::set<std::string> inputs_by_type = {"density", "encoded", "linear", "transmittance", "u"};
+const std::set<std::string> inputs_by_type = {
+    "density", "encoded", "linear", "part", "screen", "transmittance", "u", "upper", "uv", "uvw", "whole"};
 
 /// Structures come from functions that take structures; from here on they are put together member by member.
 constexpr int deepest = 3;
@@ -98,6 +107,12 @@ std::string Parameters::value(const std::string& function, const support::Member
         return "atmosphere";
     }
     if (type == "int") {
+        for (const char* const size : {"width", "height", "depth", "size"}) {
+            const std::size_t at = parameter.name.rfind(size);
+            if (at != std::string::npos && at + std::strlen(size) == parameter.name.size()) {
+                return "32";
+            }
+        }
         return parameter.name == "steps" ? "16" : "draw.below(4)";  // an index of nodes, of which there are 4
     }
     for (const std::string& name : {function + "." + parameter.name, parameter.name}) {

@@ -37,4 +37,8 @@
 #include <airlight/ambient.hpp>
 #include <airlight/single_scattering.hpp>
 
+#include <airlight/scattering_mapping.hpp>
+#include <airlight/sky_view_mapping.hpp>
+#include <airlight/table_mapping.hpp>
+
 #include <airlight/compose.hpp>
