@@ -131,8 +131,8 @@ airlight_AltitudeViewSun airlight_linear_inscatter_parameters(airlight_Atmospher
 // Units:    altitude [L]; mu, mu_s and lowest_sun [1]; sizes in texels; result [1], in [0, 1].
 // Domain:   every altitude and cosine, see table_altitude; lowest_sun in [-1, 1), see lowest_sun_cosine;
 //           sizes >= 1, height even.
-// Accuracy: 8 roundoffs, and those that mu and the horizon's cosine have, to the fifth root: on the first
-//           texel beside the horizon a float holds a tenth of a texel for a height of 64.
+// Accuracy: 8 roundoffs, and the fifth root of those that mu and the horizon's cosine have: beside the
+//           horizon a float tells 32 rows apart on every world, 64 on Earth.
 // Errors:   a sun below lowest_sun counts as there.
 // Source:   Yusov, Diligent epipolar light scattering, shaders (2019), powers 1/2 and 1/5, the two halves;
 //           planetary scattering in ralith's shaders, mapping.h, the horizon in the middle.
