@@ -5,6 +5,7 @@
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
+#include <half.h>
 
 #include <exception>
 #include <string>
@@ -27,7 +28,7 @@ ExrImage read_exr(const std::filesystem::path& path) {
     try {
         Imf::InputFile file(path.c_str());
         const Imath::Box2i window = file.header().dataWindow();
-        ExrImage image{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, {}, {}};
+        ExrImage image{window.max.x - window.min.x + 1, window.max.y - window.min.y + 1, {}, {}, false};
         if (image.width > max_image_size || image.height > max_image_size) {
             throw std::runtime_error("larger than " + std::to_string(max_image_size) + " pixels on a side");
         }
@@ -39,6 +40,7 @@ ExrImage read_exr(const std::filesystem::path& path) {
             }
             const std::size_t count = std::size_t(image.width) * std::size_t(image.height);
             image.channels.push_back(ExrChannel{i.name(), std::vector<float>(count)});
+            image.half_float = i.channel().type == Imf::HALF;
         }
         Imf::FrameBuffer frame;
         for (ExrChannel& channel : image.channels) {
@@ -69,9 +71,17 @@ void write_exr(const std::filesystem::path& path, const ExrImage& image) {
             header.insert(name, Imf::StringAttribute(text));
         }
         Imf::FrameBuffer frame;
+        std::vector<std::vector<half>> rounded;  // OpenEXR writes what lies in memory, and converts nothing
+        rounded.reserve(image.channels.size());
         for (const ExrChannel& channel : image.channels) {
-            header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
-            frame.insert(channel.name, float_slice(channel.pixels.data(), header.dataWindow()));
+            header.channels().insert(channel.name, Imf::Channel(image.half_float ? Imf::HALF : Imf::FLOAT));
+            if (image.half_float) {
+                rounded.emplace_back(channel.pixels.begin(), channel.pixels.end());
+                frame.insert(channel.name,
+                             Imf::Slice::Make(Imf::HALF, rounded.back().data(), header.dataWindow()));
+            } else {
+                frame.insert(channel.name, float_slice(channel.pixels.data(), header.dataWindow()));
+            }
         }
         Imf::StdOSStream stream;
         {

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -25,8 +26,10 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
     throw Error(what + " '" + path.string() + "': " + std::strerror(error) + "; " + advice);
 }
 
+/// A name that no other process uses, nor another thread of this one.
 std::filesystem::path temporary_beside(const std::filesystem::path& path) {
-    return path.string() + ".tmp-" + std::to_string(::getpid());
+    static std::atomic<int> count{0};
+    return path.string() + ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(count++);
 }
 
 }  // namespace

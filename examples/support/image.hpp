@@ -32,12 +32,13 @@ struct ExrChannel {
     std::vector<float> pixels;  ///< the top row first
 };
 
-/// 32-bit float channels of one size, with text attributes in the header (such as units).
+/// Float channels of one size, with text attributes in the header (such as units).
 struct ExrImage {
     int width;
     int height;
     std::vector<ExrChannel> channels;
     std::map<std::string, std::string> attributes;
+    bool half_float = false;  ///< written with 16 bits a number, which rounds them; else with 32
 };
 
 /// All of these throw Error. The writers leave either a whole file or none.
