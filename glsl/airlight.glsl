@@ -1567,6 +1567,186 @@ airlight_Column airlight_column_marched(airlight_Atmosphere atmosphere, float al
     return airlight_Column(sum.rayleigh * step_length, sum.mie * step_length, sum.ozone * step_length);
 }
 
+// ---- occultation ------------------------------------------------------------
+
+// Area of a segment of the unit circle over the cube of its half chord.
+//
+//     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2),   pi / 2 for half a circle, 2 / 3 for a thin segment
+//
+// The quotient is smooth where the area itself starts as a power 3/2, and needs no inverse cosine.
+//
+// Units:    chord_distance t of the chord from the centre, in radii [1]; result [1].
+// Domain:   chord_distance in [0, 1], clamped to it: the smaller of the two segments.
+// Accuracy: relative 1.5e-9 by the fit, the same in every precision, plus 8 roundoffs.
+// Errors:   none.
+// Source:   rational fit of degrees 3 and 3, tests/data/circle_segment_fit.py.
+float airlight_segment_over_chord(float chord_distance) {
+    float t = clamp(chord_distance, 0.0, 1.0);
+    float p2 = 0.33971378232939006244 - t * 0.000224972337249916872;
+    float p = 1.57079632679489661923 + t * (1.54327287641581240984 + t * p2);
+    float q2 = 1.58833522982707963512 + t * 0.336284136845625142225;
+    float q = 1.0 + t * (2.25571765313156898462 + t * q2);
+    return p / q;
+}
+
+// How one disc, the sun's, stands to another in front of it, a moon's or a planet's.
+struct airlight_Occultation {
+    float gap;  // [1] from the edge of the disc in front to the centre of the one behind, in radii of the
+                // latter
+    float curvature;  // [1] radius of the disc behind over that of the one in front; 0: its edge is straight
+};
+
+// What is left in sight of an evenly bright disc behind another.
+//
+// Two discs share a lens, which is two segments of circles on one chord. Written with the gap instead of
+// the distance of the centres, nothing cancels when the disc in front is as large as a planet.
+//
+// Units:    result [1], share of the disc's area.
+// Domain:   gap of any size: 1 and more is no overlap; curvature from 0 to infinity.
+// Accuracy: 8 roundoffs times the condition (measured: 5.3), and 3e-9 by segment_over_chord; exactly 1
+//           without overlap, 0 behind a disc that covers it all; never grows as the gap shrinks, to
+//           rounding.
+// Errors:   none; a disc in front that is smaller and wholly in front leaves a ring.
+// Source:   docs/theory/sun.md.
+float airlight_visible_share(airlight_Occultation occultation) {
+    float gap = occultation.gap;
+    float curvature = occultation.curvature;
+    if (gap >= 1.0) {
+        return 1.0;
+    }
+    // Inside the other disc altogether, or around it: then a ring is left.
+    float inverse = 1.0 / max(curvature, 1.0);
+    float ring = (1.0 - inverse) * (1.0 + inverse);
+    if (gap <= 1.0 - 2.0 * inverse) {
+        return ring;
+    }
+    // The centres' distance in radii of the disc in front; the common chord's from the centre behind, in
+    // radii of that; the square of its half length, by Heron's formula.
+    float reach = 1.0 + curvature * gap;
+    float chord = (curvature + gap * (1.0 + reach)) / (2.0 * reach);
+    float wide = (2.0 + curvature * (gap + 1.0)) / reach;
+    float narrow = (2.0 + curvature * (gap - 1.0)) / reach;
+    float square = clamp(0.25 * (1.0 - gap) * (1.0 + gap) * wide * narrow, 0.0, 1.0);
+    float cube = square * sqrt(square);
+    // And the chord's distance from the other centre, in that disc's radii.
+    float beyond = reach - curvature * chord;
+    float behind = cube * airlight_segment_over_chord(abs(chord)) / airlight_pi;
+    float in_front = curvature * cube * airlight_segment_over_chord(abs(beyond)) / airlight_pi;
+    float hidden = beyond < 0.0 ? inverse * inverse + behind - in_front : behind + in_front;
+    return clamp(chord < 0.0 ? behind - in_front : 1.0 - hidden, ring, 1.0);
+}
+
+// What is left of the light of a disc that is darker towards its limb, behind another.
+//
+//     I = (1 - x^2)^(limb_exponent / 2),   x from the centre in radii
+//
+// Such a disc is a stack of evenly bright ones of all sizes up to its own. Eight of them, at the points of
+// Gauss' rule, stand for all.
+//
+// Units:    limb_exponent [1]; result [1], share of the disc's light.
+// Domain:   that of visible_share; limb_exponent from 0, an even disc, to 2.
+// Accuracy: 0.0025 of the disc's light (measured: 0.0023 beside a disc two thirds as wide, else 7e-4);
+//           exact where visible_share is 1 or 0; never grows as the gap shrinks, to rounding.
+// Errors:   none; an exponent below 0 counts as 0.
+// Source:   docs/theory/sun.md.
+float airlight_visible_share_of_light(airlight_Occultation occultation, float limb_exponent) {
+    float all = airlight_visible_share(occultation);
+    if (all <= 0.0 || all >= 1.0) {
+        return all;
+    }
+    float seen = 0.0;
+    float whole = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        float cut = limb_exponent > 0.0 ? pow(airlight_gauss_8_positions[i], 2.0 / limb_exponent) : 0.0;
+        float area = 1.0 - cut;
+        float radius = sqrt(area);
+        airlight_Occultation smaller =
+            airlight_Occultation(occultation.gap / radius, occultation.curvature * radius);
+        whole += airlight_gauss_8_weights[i] * area;
+        seen += airlight_gauss_8_weights[i] * area * airlight_visible_share(smaller);
+    }
+    return seen / whole;
+}
+
+// How a far small disc stands to the disc of a sphere.
+//
+// Units:    cosines and sines of the angle between the centres and of the sphere's angular radius [1];
+//           sin_radius of the far disc's angular radius [1].
+// Domain:   an eye outside the sphere: its angular radius is at most a quarter turn; sin_radius in [0, 1].
+// Accuracy: 4 roundoffs over sin_radius for the gap. The discs are taken for plane ones, which is off by the
+//           square of sin_radius.
+// Errors:   none; no sphere (a sine of 0) hides nothing; a disc without size is seen or is not.
+// Source:   sine and cosine of a difference; docs/theory/sun.md.
+airlight_Occultation airlight_occultation_of_disc(float cos_between, float sin_between, float cos_sphere,
+                                                  float sin_sphere, float sin_radius) {
+    float sine = sin_between * cos_sphere - cos_between * sin_sphere;
+    float cosine = cos_between * cos_sphere + sin_between * sin_sphere;
+    if (cosine <= 0.0 || sin_sphere <= 0.0) {
+        return airlight_Occultation(1.0, 0.0);
+    }
+    if (sin_radius <= 0.0) {
+        return airlight_Occultation(sine >= 0.0 ? 1.0 : -1.0, 0.0);
+    }
+    return airlight_Occultation(sine / sin_radius, sin_radius * cos_sphere / sin_sphere);
+}
+
+// How the sun's disc stands to the ground sphere, seen from an altitude: before sunrise and after sunset.
+//
+// Units:    ground_radius and altitude [L]; mu_s [1], cosine between the vertical and the sun's centre;
+//           sin_radius [1] of the sun's angular radius.
+// Domain:   ground_radius > 0; altitude below the ground counts as 0; mu_s in [-1, 1]; sin_radius in [0, 1].
+// Accuracy: that of occultation_of_disc; light goes straight, without refraction.
+// Errors:   none.
+// Source:   occultation_of_disc.
+airlight_Occultation airlight_occultation_by_ground(float ground_radius, float altitude, float mu_s,
+                                                    float sin_radius) {
+    float above = max(altitude, 0.0);
+    float radius = ground_radius + above;
+    float cos_sphere = sqrt(above * (2.0 * ground_radius + above)) / radius;
+    float sin_between = airlight_safe_sqrt((1.0 - mu_s) * (1.0 + mu_s));
+    return airlight_occultation_of_disc(-mu_s, sin_between, cos_sphere, ground_radius / radius, sin_radius);
+}
+
+// How the sun's disc stands to a sphere, a moon for example.
+//
+// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1] of
+// the
+//           sun's angular radius.
+// Domain:   every centre whose square is finite; radius >= 0; sin_radius in [0, 1].
+// Accuracy: that of occultation_of_disc.
+// Errors:   none; inside the sphere it is dark.
+// Source:   occultation_of_disc.
+airlight_Occultation airlight_occultation_by_sphere(vec3 centre, float radius, vec3 to_sun,
+                                                    float sin_radius) {
+    float distance = sqrt(airlight_dot_product(centre, centre));
+    if (distance <= radius) {
+        return airlight_Occultation(radius > 0.0 ? -1.0 : 1.0, 0.0);
+    }
+    vec3 to_sphere = centre / distance;
+    vec3 across = airlight_cross_of_unit_vectors(to_sphere, to_sun);
+    float sin_sphere = radius / distance;
+    float cos_sphere = sqrt((1.0 - sin_sphere) * (1.0 + sin_sphere));
+    return airlight_occultation_of_disc(airlight_dot_product(to_sphere, to_sun),
+                                        sqrt(airlight_dot_product(across, across)),
+                                        cos_sphere, sin_sphere, sin_radius);
+}
+
+// Share of sunlight that passes a sphere, a moon for example: a visibility for single_scattering.
+//
+// In GLSL: #define AIRLIGHT_VISIBILITY(position) airlight_sunlight_past_sphere(centre - (position), ...);
+// in C++ PastSphere.
+//
+// Units:    those of occultation_by_sphere; limb_exponent as in visible_share_of_light; result [1].
+// Domain:   that of occultation_by_sphere and visible_share_of_light.
+// Accuracy: that of occultation_by_sphere and visible_share_of_light.
+// Errors:   none.
+// Source:   docs/theory/sun.md.
+float airlight_sunlight_past_sphere(vec3 centre, float radius, vec3 to_sun, float sin_radius,
+                                    float limb_exponent) {
+    airlight_Occultation occultation = airlight_occultation_by_sphere(centre, radius, to_sun, sin_radius);
+    return airlight_visible_share_of_light(occultation, limb_exponent);
+}
+
 // ---- planet_shadow ----------------------------------------------------------
 
 // The sun as a straight line through the air sees it.
@@ -3378,6 +3558,218 @@ airlight_FroxelPoint airlight_froxel_parameters(vec3 uvw, float max_distance, in
 // Source:   the radiative transfer equation along a ray, its formal solution.
 vec3 airlight_compose(vec3 surface_radiance, airlight_Scattered scattered, vec3 solar_irradiance) {
     return surface_radiance * scattered.transmittance + scattered.radiance * solar_irradiance;
+}
+
+// ---- sun --------------------------------------------------------------------
+
+// Sine of the sun's angular radius from the Earth's mean distance [1]: 695 700 km over 149 597 870.7 km.
+// In the year it swings by 1.7 % to both sides. From Mars it is 0.656 times as large.
+const float airlight_solar_sin_radius = 0.00465046726096215753156;
+
+// The sun as a picture shows it.
+struct airlight_SunDisc {
+    float sin_radius;  // [1] sine of its angular radius
+    vec3
+        limb_exponents;  // [1] radiance falls as (1 - x^2)^(exponent / 2) from the centre; 0: evenly bright
+    float sin_edge;  // [1] its rim is spread by the angle of this sine to both sides, half a pixel; 0: sharp
+};
+
+// The sun from the Earth's mean distance, with a sharp rim.
+//
+// Units:    those of SunDisc.
+// Domain:   none, it takes no argument.
+// Accuracy: the printed numbers, rounded to T. The exponents are those at 680, 550 and 440 nm.
+// Errors:   none.
+// Source:   Hestroffer and Magnan, Wavelength dependency of the solar limb darkening (1998), a law of one
+//           parameter, with the exponents that renderers quote from its table 2; its straight line
+//           0.292 um / wavelength - 0.023 is within 3 % of them.
+airlight_SunDisc airlight_solar_disc() {
+    return airlight_SunDisc(airlight_solar_sin_radius, vec3(0.397, 0.503, 0.652), 0.0);
+}
+
+// Solid angle of a disc in the sky.
+//
+//     2 pi (1 - cos) = 2 pi sin^2 / (1 + cos)
+//
+// Units:    sin_radius [1], sine of the angular radius; result [sr].
+// Domain:   sin_radius in [0, 1]: up to half the sky.
+// Accuracy: 6 roundoffs times the condition (measured: 0.7), which near 1 the cosine's root makes large.
+// Errors:   none.
+// Source:   area of a cap of the unit sphere.
+float airlight_disc_solid_angle(float sin_radius) {
+    float cosine = airlight_safe_sqrt((1.0 - sin_radius) * (1.0 + sin_radius));
+    return 2.0 * airlight_pi * (sin_radius * sin_radius / (1.0 + cosine));
+}
+
+// Mean radiance of a disc that gives a surface facing it unit irradiance.
+//
+//     1 / (pi sin^2)
+//
+// The mean is over the disc as that surface sees it, so the cosine is counted and nothing is approximate.
+//
+// Units:    sin_radius [1]; result [1/sr] per unit of irradiance.
+// Domain:   sin_radius in (0, 1].
+// Accuracy: 3 ulp.
+// Errors:   sin_radius 0 divides by zero.
+// Source:   integral of the cosine over the disc.
+float airlight_disc_radiance(float sin_radius) {
+    return 1.0 / (airlight_pi * sin_radius * sin_radius);
+}
+
+// Mean of a power over a window, of which only what lies above 0 counts.
+//
+//     1 / (2 w) integral_(x - w)^(x + w) max(s, 0)^power ds
+//
+// Units:    x, half_width w and power [1]; result [1].
+// Domain:   x at most 1e6; half_width from 0 to 1e6; power from 0 to 3.
+// Accuracy: 64 roundoffs of (x + w)^power where the window is wide; relative 1e-9 by the series where w is
+//           below x / 32.
+// Errors:   none; a window below 0 gives 0.
+// Source:   the power's integral, and its Taylor series where that would cancel.
+float airlight_windowed_power(float x, float half_width, float power) {
+    if (x + half_width <= 0.0) {
+        return 0.0;
+    }
+    if (half_width < 0.03125 * x) {
+        float square = (half_width / x) * (half_width / x);
+        float second = power * (power - 1.0) / 6.0;
+        float fourth = second * (power - 2.0) * (power - 3.0) / 20.0;
+        return pow(x, power) * (1.0 + square * (second + square * fourth));
+    }
+    float above = pow(x + half_width, power + 1.0);
+    float below = pow(max(x - half_width, 0.0), power + 1.0);
+    return (above - below) / (2.0 * half_width * (power + 1.0));
+}
+
+// Radiance of a limb-darkened disc over its mean.
+//
+//     (1 + a / 2) (1 - q)^(a / 2),   q = (distance from the centre / radius)^2
+//
+// A spread rim is a mean over a window in q. Such windows keep the disc's light exactly, whatever their
+// width, because equal steps of q are equal areas.
+//
+// Units:    square q, exponent a and spread, the window's half width in q [1]; result [1].
+// Domain:   square >= 0; exponent from 0 to 2; spread from 0 to 1e6.
+// Accuracy: 4 roundoffs times (1 + value) (1 + 1 / max(|1 - q|, spread)) (measured: 1.1), and 1e-9 by the
+//           series of windowed_power.
+// Errors:   none; 0 outside the disc and its rim.
+// Source:   Hestroffer and Magnan, Wavelength dependency of the solar limb darkening (1998); the window:
+//           docs/theory/sun.md.
+float airlight_limb_darkening(float square, float exponent, float spread) {
+    float power = 0.5 * exponent;
+    return (1.0 + power) * airlight_windowed_power(1.0 - square, spread, power) /
+           airlight_windowed_power(1.0, spread, power + 1.0);
+}
+
+// Radiance of the sun's disc in a direction, before the air. Multiply by transmittance_to_space.
+//
+// All of the disc's light together gives a surface that faces the sun unit irradiance, also where the rim is
+// spread.
+//
+// Units:    direction and to_sun unit vectors; result [1/sr] per unit of solar irradiance above the air.
+// Shape:    the result is a spectrum.
+// Domain:   disc.sin_radius in (0, 1]; disc.sin_edge from 0 to 1 and to a thousand sin_radius.
+// Accuracy: that of limb_darkening; the angle from the centre to 4 roundoffs.
+// Errors:   none; 0 outside the disc. A sin_radius of 0 divides by zero.
+// Source:   docs/theory/sun.md.
+vec3 airlight_sun_radiance(airlight_SunDisc disc, vec3 direction, vec3 to_sun) {
+    vec3 across = airlight_cross_of_unit_vectors(direction, to_sun);
+    float square = airlight_dot_product(across, across) / (disc.sin_radius * disc.sin_radius);
+    float edge = disc.sin_edge / disc.sin_radius;
+    float spread = edge * (2.0 + edge);
+    if (airlight_dot_product(direction, to_sun) <= 0.0 || square >= 1.0 + spread) {
+        return vec3(0.0, 0.0, 0.0);
+    }
+    vec3 a = disc.limb_exponents;
+    return airlight_disc_radiance(disc.sin_radius) * vec3(airlight_limb_darkening(square, a.x, spread),
+                                                          airlight_limb_darkening(square, a.y, spread),
+                                                          airlight_limb_darkening(square, a.z, spread));
+}
+
+// Height of the middle of what a straight horizon leaves of an even disc, over the disc's centre.
+//
+//     2 (1 - gap^2)^(3/2) / (3 area in sight)
+//
+// Units:    gap [1], the centre's height over the horizon in radii; result [1] in radii.
+// Domain:   every gap; clamped to [-1, 1].
+// Accuracy: that of segment_over_chord.
+// Errors:   none; 1 for the last of the disc, 0 above the horizon.
+// Source:   centroid of a segment of a circle.
+float airlight_visible_middle(float gap) {
+    float chord = clamp(gap, -1.0, 1.0);
+    float shape = airlight_segment_over_chord(abs(chord));
+    if (chord < 0.0) {
+        return 2.0 / (3.0 * shape);
+    }
+    float square = (1.0 - chord) * (1.0 + chord);
+    float cube = square * sqrt(square);
+    return 2.0 * cube / (3.0 * (airlight_pi - cube * shape));
+}
+
+// Sunlight that arrives at a point from a sun of finite size, on a surface that faces it.
+//
+// The light of what the horizon leaves of the disc, dimmed as it is at the middle of that: dusk is as long
+// as the sun needs to set, and has no step.
+//
+// Units:    altitude [L]; mu_s [1], cosine between the vertical and the sun's centre; sin_radius [1]; result
+//           [1], share of the solar irradiance above the air.
+// Shape:    the result is a spectrum.
+// Domain:   that of optical_depth; sin_radius in [0, 1], 0 gives transmittance_to_space.
+// Accuracy: 0.0015 of full sunlight in the air, 0.11 from orbit, where the disc is taller than the air
+//           (measured against the mean over the disc: 0.0011 and 0.099); light goes straight, without
+//           refraction.
+// Errors:   none; without Scene::planet_shadow the ground is ignored.
+// Source:   occultation_by_ground, transmittance.
+vec3 airlight_sunlight(airlight_Atmosphere atmosphere, float altitude, float mu_s, float sin_radius) {
+    float share = 1.0;
+    float mu = mu_s;
+#if AIRLIGHT_PLANET_SHADOW
+    airlight_Occultation ground =
+        airlight_occultation_by_ground(atmosphere.ground_radius, altitude, mu_s, sin_radius);
+    share = airlight_visible_share(ground);
+    if (share <= 0.0) {
+        return vec3(0.0, 0.0, 0.0);
+    }
+    float sine = airlight_safe_sqrt((1.0 - mu_s) * (1.0 + mu_s));
+    mu = min(mu_s + sin_radius * sine * airlight_visible_middle(ground.gap), 1.0);
+#endif
+    return share * airlight_transmittance(atmosphere, altitude, mu, airlight_no_surface());
+}
+
+// Parameter of the lobe that draws the sun in the notes on precomputed scattering after Elek [1].
+const float airlight_elek_sun_g = 0.99;
+
+// What those notes multiply the lobe by [1].
+const float airlight_elek_sun_scale = 0.003;
+
+// The lobe that draws the sun in the notes on precomputed scattering after Elek, before their scale.
+//
+//     (1 - g)^2 / (4 pi (1 + g^2 - 2 g cos_theta)^(3/2))
+//
+// It is no phase function: with 1 - g^2 in place of (1 - g)^2 it would be Henyey and Greenstein's. Over the
+// sphere it comes to (1 - g) / (1 + g), 0.005025 for g = 0.99. For a sun of the right light use
+// sun_radiance; for that picture elek_sun_scale times this.
+//
+// Units:    cos_theta and g [1]; result [1/sr].
+// Domain:   cos_theta in [-1, 1], 1 is the sun's centre; g in (-1, 1), elek_sun_g.
+// Accuracy: 8 roundoffs times the condition (measured: 1.8).
+// Errors:   g = 1 or -1 gives 0 off the peak and divides zero by zero in it.
+// Source:   Notes on precomputed atmospheric scattering in Unity, sun simulation.
+float airlight_elek_sun_lobe(float cos_theta, float g) {
+    float d = airlight_henyey_greenstein_denominator(cos_theta, g);
+    return (1.0 - g) * (1.0 - g) / (4.0 * airlight_pi * d * sqrt(d));
+}
+
+// The sun of Leenman's shader: 3 where the cosine to its centre is above 0.9998, else 0. A disc 4.3 times as
+// wide as the sun's.
+//
+// Units:    cos_theta [1]; result in the unit of that shader's scene colour, its sun's strength being 40.
+// Domain:   cos_theta in [-1, 1].
+// Accuracy: exact for inputs moved by 1 roundoff.
+// Errors:   none; NaN gives 0.
+// Source:   Leenman, Atmospheric scattering explained (2021), the sun of the scene.
+float airlight_leenman_sun(float cos_theta) {
+    return cos_theta > 0.9998 ? 3.0 : 0.0;
 }
 
 #endif

@@ -18,8 +18,11 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float azimuth_cosine", "draw.between(-1, 1)"},
     {"vec3 b", "draw.to_sun"},
     {"float centre", "atmosphere.ozone_altitude"},
+    {"vec3 centre", "draw.decades(6, 9) * draw.direction"},
     {"bool climbing", "draw.choose(2)"},
     {"float contrast", "draw.between(0.02, 0.05)"},
+    {"float cos_between", "draw.mu"},
+    {"float cos_sphere", "glm::abs(draw.cos_theta)"},
     {"float cos_theta", "draw.cos_theta"},
     {"vec3 depth", "draw.color(0, 2)"},
     {"float depolarisation_ratio", "draw.between(0, 0.05)"},
@@ -33,14 +36,17 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"Viewpoint eye", "airlight::Viewpoint<T>{draw.altitude, draw.up}"},
     {"float factor", "draw.choose(2) ? T(1) : T(-1)"},
     {"float g", "atmosphere.mie_g"},
+    {"float gap", "draw.between(-1.1, 1.1)"},
     {"float ground_radius", "atmosphere.ground_radius"},
     {"float half_width", "atmosphere.ozone_half_width"},
+    {"float windowed_power.half_width", "draw.between(0, 0.1)"},
     {"float height", "atmosphere.rayleigh_scale_height"},
     {"float high", "atmosphere.ozone_altitude"},
     {"float high_radius", "atmosphere.ground_radius + draw.decades(4, 5)"},
     {"float inverse_radius", "T(1) / (atmosphere.ground_radius + draw.altitude)"},
     {"float inverse_root", "draw.between(0.001, 0.1)"},
     {"float k", "draw.between(-0.9, 0.9)"},
+    {"float limb_exponent", "draw.between(0.3, 0.7)"},
     {"float low", "atmosphere.ozone_altitude - atmosphere.ozone_half_width"},
     {"float low_along", "draw.decades(2, 5)"},
     {"float low_radius", "atmosphere.ground_radius + draw.decades(0, 4)"},
@@ -57,6 +63,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float perigee_radius", "atmosphere.ground_radius + draw.between(0, 1) * draw.altitude"},
     {"vec3 viewpoint_from_centre.position", "(atmosphere.ground_radius + draw.altitude) * draw.up"},
     {"vec3 viewpoint_from_surface.position", "draw.decades(0, 5) * draw.direction"},
+    {"float power", "draw.between(0.2, 1.4)"},
     {"float pulled", "draw.between(-5, 5)"},
     {"bool reaches_ground", "draw.mu < T(0)"},
     {"vec3 radiance", "draw.color(0, 10)"},
@@ -72,10 +79,15 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"vec3 scattering", "atmosphere.mie_scattering"},
     {"float shell_altitude", "atmosphere.ozone_altitude"},
     {"vec3 shells", "draw.color(1e5, 1e6)"},
+    {"float sin_between", "glm::sqrt((T(1) - draw.mu) * (T(1) + draw.mu))"},
+    {"float sin_radius", "draw.between(0.004, 0.005)"},
+    {"float sin_sphere", "glm::sqrt((T(1) - draw.cos_theta) * (T(1) + draw.cos_theta))"},
     {"float sine", "glm::sqrt((T(1) - draw.mu) * (T(1) + draw.mu))"},
     {"float single_scattering_albedo", "draw.between(0.8, 1)"},
     {"bool sinks", "draw.mu < T(0)"},
     {"vec3 solar_irradiance", "draw.color(1, 2)"},
+    {"float spread", "draw.between(0, 0.1)"},
+    {"float square", "draw.between(0, 1.1)"},
     {"float sun_height", "atmosphere.ground_radius * draw.mu_s"},
     {"vec3 surface_radiance", "draw.color(0, 1)"},
     {"float t", "draw.decades(2, 5)"},
@@ -85,12 +97,14 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float visibility", "draw.decades(3, 5)"},
     {"float wavelength", "draw.between(4e-7, 7e-7)"},
     {"float chapman.x", "draw.between(700, 6000)"},
+    {"float windowed_power.x", "draw.between(-0.1, 1)"},
     {"float x", "draw.between(0, 5)"},
 };
 
 /// Parameters for which the range of their type is right: scalars and colours in [0, 1].
-const std::set<std::string> inputs_by_type = {
-    "density", "encoded", "linear", "part", "screen", "transmittance", "u", "upper", "uv", "uvw", "whole"};
+const std::set<std::string> inputs_by_type = {"chord_distance", "density", "encoded",       "linear",
+                                              "part",           "screen",  "transmittance", "u",
+                                              "upper",          "uv",      "uvw",           "whole"};
 
 /// Structures come from functions that take structures; from here on they are put together member by member.
 constexpr int deepest = 3;

@@ -25,6 +25,7 @@
 #include <airlight/view_path.hpp>
 
 #include <airlight/column.hpp>
+#include <airlight/occultation.hpp>
 #include <airlight/planet_shadow.hpp>
 
 #include <airlight/outward_column.hpp>
@@ -42,3 +43,4 @@
 #include <airlight/table_mapping.hpp>
 
 #include <airlight/compose.hpp>
+#include <airlight/sun.hpp>
