@@ -9,6 +9,7 @@
 #include "support/error.hpp"
 #include "support/gl_context.hpp"
 #include "support/glsl_source.hpp"
+#include "support/uniforms.hpp"
 
 // Set by CMakeLists.txt: where the generated GLSL and this example's shaders lie.
 #ifndef AIRLIGHT_GLSL_FOLDER
@@ -34,37 +35,11 @@ support::Program read_program(const std::string& vertex_file, const std::string&
                                   read_shader(GL_FRAGMENT_SHADER, fragment_file, defines)});
 }
 
-/// Sets uniforms of the program in use by name. A name that the shader does not use is passed over.
-class Uniforms {
+/// A frame too.
+class Uniforms : public support::Uniforms {
   public:
-    explicit Uniforms(GLuint program) : program_(program) {
-        glUseProgram(program);
-    }
-
-    void set(const std::string& name, int value) const {
-        glUniform1i(location(name), value);
-    }
-    void set(const std::string& name, float value) const {
-        glUniform1f(location(name), value);
-    }
-    void set(const std::string& name, const vec3& v) const {
-        glUniform3f(location(name), v.x, v.y, v.z);
-    }
-
-    void set(const std::string& name, const airlight::Atmosphere<float>& a) const {
-        set(name + ".ground_radius", a.ground_radius);
-        set(name + ".top_altitude", a.top_altitude);
-        set(name + ".rayleigh_scattering", a.rayleigh_scattering);
-        set(name + ".rayleigh_scale_height", a.rayleigh_scale_height);
-        set(name + ".mie_scattering", a.mie_scattering);
-        set(name + ".mie_absorption", a.mie_absorption);
-        set(name + ".mie_scale_height", a.mie_scale_height);
-        set(name + ".mie_g", a.mie_g);
-        set(name + ".ozone_absorption", a.ozone_absorption);
-        set(name + ".ozone_altitude", a.ozone_altitude);
-        set(name + ".ozone_half_width", a.ozone_half_width);
-        set(name + ".ground_albedo", a.ground_albedo);
-    }
+    using support::Uniforms::set;
+    using support::Uniforms::Uniforms;
 
     void set(const std::string& name, const Frame& f) const {
         set(name + ".width", f.width);
@@ -83,13 +58,6 @@ class Uniforms {
         set(name + ".steps", f.steps);
         set(name + ".sky_steps", f.sky_steps);
     }
-
-  private:
-    GLint location(const std::string& name) const {
-        return glGetUniformLocation(program_, name.c_str());
-    }
-
-    GLuint program_;
 };
 
 void bind_texture(int unit, GLuint texture) {

@@ -1,0 +1,80 @@
+#pragma once
+
+// From a preset, known when the program runs, to the scene that tables are compiled for.
+
+#include <airlight/scene.hpp>
+#include <airlight/tables/table.hpp>
+#include <vector>
+
+#include "kinds.hpp"
+
+namespace bake_tables {
+
+template <int Profile>
+struct SceneWithOzone : airlight::DefaultScene {
+    static constexpr int ozone = Profile;
+};
+
+template <typename T>
+airlight::Atmosphere<T> converted(const airlight::Atmosphere<double>& a) {
+    using vec3 = airlight::vec3<T>;
+    return {T(a.ground_radius),          T(a.top_altitude),
+            vec3(a.rayleigh_scattering), T(a.rayleigh_scale_height),
+            vec3(a.mie_scattering),      vec3(a.mie_absorption),
+            T(a.mie_scale_height),       T(a.mie_g),
+            vec3(a.ozone_absorption),    T(a.ozone_altitude),
+            T(a.ozone_half_width),       vec3(a.ground_albedo)};
+}
+
+/// Appends the numbers of texels of vec2, vec3 or vec4.
+template <typename Texel>
+void append(std::vector<typename Texel::value_type>& numbers, const Texel& texel) {
+    for (int c = 0; c < Texel::length(); ++c) {
+        numbers.push_back(texel[c]);
+    }
+}
+
+/// The texels of tables of one size, side by side.
+template <typename First, typename... Others>
+std::vector<typename First::value_type> flat(const airlight::Table<First>& first,
+                                             const airlight::Table<Others>&... others) {
+    std::vector<typename First::value_type> numbers;
+    for (std::size_t n = 0; n < first.texels.size(); ++n) {
+        append(numbers, first.texels[n]);
+        (append(numbers, others.texels[n]), ...);
+    }
+    return numbers;
+}
+
+/// Calls bake(scene, atmosphere in T).
+template <typename T, typename Bake>
+std::vector<T> by_scene(const support::Preset& preset, const Bake& bake) {
+    const airlight::Atmosphere<T> air = converted<T>(preset.air);
+    switch (preset.ozone) {
+        case airlight::ozone_tent:
+            return bake(SceneWithOzone<airlight::ozone_tent>{}, air);
+        case airlight::ozone_lorentzian:
+            return bake(SceneWithOzone<airlight::ozone_lorentzian>{}, air);
+        default:
+            return bake(SceneWithOzone<airlight::ozone_none>{}, air);
+    }
+}
+
+/// Gives a kind its bakes on the CPU: bake(scene, atmosphere, request, rows), for float and double.
+template <typename Bake>
+void bake_on_cpu(Kind& kind, const Bake& bake) {
+    kind.on_cpu = [bake](const Request& request, const Rows& rows) {
+        return by_scene<float>(request.preset,
+                               [&](auto scene, const auto& air) { return bake(scene, air, request, rows); });
+    };
+    kind.in_double = [bake](const Request& request, const Rows& rows) {
+        return by_scene<double>(request.preset,
+                                [&](auto scene, const auto& air) { return bake(scene, air, request, rows); });
+    };
+}
+
+/// The scalar of an atmosphere.
+template <typename Air>
+using scalar_of = decltype(Air::mie_g);
+
+}  // namespace bake_tables

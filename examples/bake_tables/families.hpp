@@ -1,0 +1,13 @@
+#pragma once
+
+// Each family of tables has a file of its own; kinds.cpp puts them together.
+
+#include <vector>
+
+#include "kinds.hpp"
+
+namespace bake_tables {
+
+std::vector<Kind> transmittance_kinds();
+
+}  // namespace bake_tables

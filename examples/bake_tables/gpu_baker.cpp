@@ -1,0 +1,86 @@
+#include "gpu_baker.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "support/gl_context.hpp"
+#include "support/glsl_source.hpp"
+#include "support/uniforms.hpp"
+
+namespace bake_tables {
+namespace {
+
+constexpr int group_size = 8;
+
+GLuint groups(int count) {
+    return GLuint((count + group_size - 1) / group_size);
+}
+
+airlight::Atmosphere<float> in_float(const airlight::Atmosphere<double>& a) {
+    using vec3 = airlight::vec3<float>;
+    return {float(a.ground_radius),      float(a.top_altitude),
+            vec3(a.rayleigh_scattering), float(a.rayleigh_scale_height),
+            vec3(a.mie_scattering),      vec3(a.mie_absorption),
+            float(a.mie_scale_height),   float(a.mie_g),
+            vec3(a.ozone_absorption),    float(a.ozone_altitude),
+            float(a.ozone_half_width),   vec3(a.ground_albedo)};
+}
+
+}  // namespace
+
+GpuBaker::GpuBaker(const support::Preset& preset, const Rows& rows) : preset_(preset), rows_(rows) {}
+
+GpuTable GpuBaker::make_table(const support::TableSize& size) const {
+    return GpuTable{support::create_table_texture(GL_RGBA32F, size), size};
+}
+
+GLuint GpuBaker::program(const std::string& shader) {
+    const auto known = programs_.find(shader);
+    if (known != programs_.end()) {
+        return known->second;
+    }
+    const std::vector<std::filesystem::path> folders = {BAKE_TABLES_SHADER_FOLDER, AIRLIGHT_GLSL_FOLDER};
+    const std::string text = "#version 430 core\n#define AIRLIGHT_OZONE " + std::to_string(preset_.ozone) +
+                             "\n#include \"" + shader + ".comp\"\n";
+    const support::ExpandedGlsl source = support::expand_includes(text, "preamble of " + shader, folders);
+    programs_[shader] = support::link_program({{GL_COMPUTE_SHADER, source.text, source.names}});
+    return programs_[shader];
+}
+
+void GpuBaker::pass(const std::string& shader, const std::vector<const GpuTable*>& targets,
+                    const std::vector<Source>& sources, const std::vector<Setting>& settings) {
+    const support::Uniforms uniforms(program(shader));
+    uniforms.set("atmosphere", in_float(preset_.air));
+    const support::TableSize size = targets.front()->size;
+    uniforms.set("width", size.width);
+    uniforms.set("height", size.height);
+    uniforms.set("depth", size.depth);
+    for (const Setting& setting : settings) {
+        uniforms.set(setting.name, setting.value);
+    }
+    for (std::size_t n = 0; n < targets.size(); ++n) {
+        glBindImageTexture(GLuint(n), targets[n]->texture, 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    }
+    for (std::size_t n = 0; n < sources.size(); ++n) {
+        uniforms.set(sources[n].name, int(n));
+        glActiveTexture(GLenum(GL_TEXTURE0 + n));
+        glBindTexture(GL_TEXTURE_3D, sources[n].table->texture);
+    }
+    // Slice by slice, waiting for each: no driver takes the program for stuck, and the bar moves.
+    for (int slice = 0; slice < size.depth; ++slice) {
+        uniforms.set("slice", slice);
+        glDispatchCompute(groups(size.width), groups(size.height), 1);
+        glFinish();
+        rows_.report(std::size_t(slice + 1), std::size_t(size.depth));
+    }
+    rows_.end_pass();
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    support::check_gl(shader.c_str());
+}
+
+std::vector<float> numbers_of(const GpuTable& table, int channels) {
+    return support::download_table(table.texture, table.size, channels);
+}
+
+}  // namespace bake_tables

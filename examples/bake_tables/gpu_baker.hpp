@@ -1,0 +1,64 @@
+#pragma once
+
+// Compute passes that fill tables. A shader holds a function texel(uvw), which calls the same function of the
+// library as the CPU does; shaders/bake.glsl is around it.
+
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "rows.hpp"
+#include "support/gl_objects.hpp"
+#include "support/gl_table.hpp"
+#include "support/presets.hpp"
+
+namespace bake_tables {
+
+/// A table on the GPU, 32 bits a number.
+struct GpuTable {
+    support::Texture texture;
+    support::TableSize size;
+};
+
+/// A texture under the name that a pass has for it.
+struct Source {
+    std::string name;
+    const GpuTable* table;
+};
+
+/// A whole number under the name that a pass has for it.
+struct Setting {
+    std::string name;
+    int value;
+};
+
+/// Needs a current context of OpenGL 4.3.
+class GpuBaker {
+  public:
+    explicit GpuBaker(const support::Preset& preset, const Rows& rows = Rows{});
+
+    GpuTable make_table(const support::TableSize& size) const;
+
+    /// Runs shaders/<shader>.comp for every texel of the targets, which are of one size; at most two.
+    void pass(const std::string& shader, const std::vector<const GpuTable*>& targets,
+              const std::vector<Source>& sources = {}, const std::vector<Setting>& settings = {});
+
+    /// How many passes there will be, for the progress bar.
+    void expect_passes(int passes) const {
+        rows_.expect_passes(passes);
+    }
+
+  private:
+    GLuint program(const std::string& shader);
+
+    support::Preset preset_;
+    Rows rows_;
+    std::map<std::string, support::Program> programs_;
+};
+
+/// The first `channels` numbers of every texel.
+std::vector<float> numbers_of(const GpuTable& table, int channels);
+
+}  // namespace bake_tables

@@ -1,0 +1,45 @@
+#include "kinds.hpp"
+
+#include "by_scene.hpp"
+#include "families.hpp"
+#include "support/error.hpp"
+
+namespace bake_tables {
+
+const std::vector<Kind>& kinds() {
+    static const std::vector<Kind> all = [] {
+        std::vector<Kind> together;
+        for (const auto& family : {transmittance_kinds()}) {
+            together.insert(together.end(), family.begin(), family.end());
+        }
+        return together;
+    }();
+    return all;
+}
+
+const Kind& kind_named(const std::string& name) {
+    std::string names;
+    for (const Kind& kind : kinds()) {
+        if (kind.name == name) {
+            return kind;
+        }
+        names += (names.empty() ? "" : ", ") + kind.name;
+    }
+    throw support::Error("there is no table '" + name + "': take one of " + names);
+}
+
+support::TableDescription describe(const Kind& kind, const Request& request) {
+    support::TableWorld world;
+    by_scene<double>(request.preset, [&](auto scene, const airlight::Atmosphere<double>& air) {
+        world = support::table_world<decltype(scene)>(air);
+        return std::vector<double>();
+    });
+    if (kind.has_orders) {
+        world["orders"] = std::to_string(request.orders);
+    }
+    return support::TableDescription{
+        kind.name,           kind.mapping,       kind.payload,  kind.units,           request.size.width,
+        request.size.height, request.size.depth, kind.channels, kind.may_be_negative, world};
+}
+
+}  // namespace bake_tables
