@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include <doctest/doctest.h>
+#include <airlight/color.hpp>
 #include <airlight/spectrum.hpp>
 
 #include "samplers.hpp"
@@ -121,6 +122,75 @@ TEST_CASE_TEMPLATE("Angstrom's law: 1 at the reference, a half at twice the wave
     const T there = angstrom_ratio(T(0.44L), T(0.68L), T(1.5));
     const T back = angstrom_ratio(T(0.68L), T(0.44L), T(1.5));
     CHECK_WITHIN(compare_ulp("angstrom_ratio", {}, there * back, 1.0L), 8.0L);
+}
+
+TEST_CASE_TEMPLATE("the sun gives 1361 W/m2, 133 000 lux, and light a little warmer than white", T, float,
+                   double, long double) {
+    CHECK(std::fabs(total_solar_irradiance<T> - T(1361)) < T(0.5));  // the nominal 1361, rounded to a watt
+    // Between the 128 klx of older works and what a black body of the sun's 5772 K gives, 93.5 lm/W: 127 klx;
+    // the sun's lines take more of the ultraviolet than of the visible, so it lies above both.
+    CHECK(solar_illuminance<T> > T(128e3L));
+    CHECK(solar_illuminance<T> < T(134e3L));
+    const vec3<T> rgb = solar_illuminance_rgb<T>;
+    // The colour's digits, and 3e-5 by which color.hpp's four digits of the luminance differ from the
+    // primaries'.
+    CHECK_WITHIN(compare_relative("luminance", {}, luminance(rgb), solar_illuminance<T>), 1e-4L);
+    CHECK(rgb.x > rgb.y);
+    CHECK(rgb.y > rgb.z);
+    CHECK(rgb.x / rgb.z < T(1.2L));
+    // A tenth of the whole lies in 50 nm around the green channel: 93 W/m2, by hand about 1.87 x 50.
+    CHECK(solar_spectral_irradiance<T>.y * 50 / total_solar_irradiance<T> ==
+          doctest::Approx(0.0685).epsilon(0.01));
+}
+
+TEST_CASE_TEMPLATE("the sun's light is what its published spectrum integrates to", T, float, double,
+                   long double) {
+    for (const Row& row : reference("solar_light")) {
+        const std::string& what = row.text("what");
+        const long double expected = row.expected("expected");
+        const auto check = [&](T got, long double digit) {
+            // Half a unit of the last digit that the header prints, and its rounding to T.
+            CHECK_WITHIN(compare_relative(what.c_str(), {}, got, expected),
+                         0.5L * digit / expected + unit_roundoff<T>());
+        };
+        if (what == "printed_total") {
+            CHECK(std::fabs(expected - 1366.1L) < 0.05L);  // what the spectrum's publisher says of it
+        } else if (what == "total") {
+            check(total_solar_irradiance<T>, 0.1L);
+        } else if (what == "illuminance") {
+            check(solar_illuminance<T>, 0.01L);
+        } else if (what == "red") {
+            check(solar_illuminance_rgb<T>.x, 0.01L);
+        } else if (what == "green") {
+            check(solar_illuminance_rgb<T>.y, 0.01L);
+        } else if (what == "blue") {
+            check(solar_illuminance_rgb<T>.z, 0.01L);
+        } else if (what == "at_680") {
+            check(solar_spectral_irradiance<T>.x, 1e-5L);
+        } else if (what == "at_550") {
+            check(solar_spectral_irradiance<T>.y, 1e-5L);
+        } else if (what == "at_440") {
+            check(solar_spectral_irradiance<T>.z, 1e-5L);
+        } else {
+            // A black body of 5900 K is at (0.324, 0.336); the sun's colour is close to it.
+            REQUIRE((what == "chromaticity_x" || what == "chromaticity_y"));
+            CHECK(std::fabs(expected - (what == "chromaticity_x" ? 0.324L : 0.334L)) < 0.003L);
+        }
+    }
+}
+
+TEST_CASE("the observer's table is whole: its three columns add up alike") {
+    // The three functions are made to have one area, so that white of equal energy is x = y = z.
+    long double sums[3] = {0, 0, 0};
+    for (const Row& row : reference("inputs/cie_1931")) {
+        sums[0] += row.expected("x");
+        sums[1] += row.expected("y");
+        sums[2] += row.expected("z");
+    }
+    // They agree to 4e-4 in the table of 5 nm: 21.3731, 21.3714 and 21.3786.
+    CHECK(std::fabs(sums[0] - 21.3731L) < 1e-4L);  // the digits written here
+    CHECK(std::fabs(sums[1] - 21.3714L) < 1e-4L);
+    CHECK(std::fabs(sums[2] - 21.3786L) < 1e-4L);
 }
 
 TEST_CASE_TEMPLATE("aerosol at 550 and 1240 nm of depth 0.15 and 0.05 has 0.1083 at 700 nm", T, float, double,
