@@ -77,4 +77,31 @@ void bake_on_cpu(Kind& kind, const Bake& bake) {
 template <typename Air>
 using scalar_of = decltype(Air::mie_g);
 
+/// The same for a table whose texels know nothing of each other: texel(scene, atmosphere, uvw, size). Between
+/// the centres of texels, texel() is what the table should be.
+template <typename TexelAt>
+void bake_each_alone(Kind& kind, const TexelAt& texel) {
+    bake_on_cpu(kind, [texel](auto scene, const auto& air, const Request& request, const Rows& rows) {
+        using T = scalar_of<std::decay_t<decltype(air)>>;
+        using Texel = decltype(texel(scene, air, airlight::vec3<T>(), request.size));
+        auto table = airlight::make_table<Texel>(request.size.width, request.size.height, request.size.depth);
+        airlight::bake_table(
+            table,
+            [&](int i, int j, int k) {
+                return texel(scene, air, airlight::texel_centre<T>(table, i, j, k), request.size);
+            },
+            rows);
+        return flat(table);
+    });
+    kind.exact = [texel](const Request& request, const std::vector<airlight::vec3<double>>& places) {
+        return by_scene<double>(request.preset, [&](auto scene, const auto& air) {
+            std::vector<double> numbers;
+            for (const airlight::vec3<double>& place : places) {
+                append(numbers, texel(scene, air, place, request.size));
+            }
+            return numbers;
+        });
+    };
+}
+
 }  // namespace bake_tables

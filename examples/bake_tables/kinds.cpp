@@ -37,9 +37,17 @@ support::TableDescription describe(const Kind& kind, const Request& request) {
     if (kind.has_orders) {
         world["orders"] = std::to_string(request.orders);
     }
-    return support::TableDescription{
-        kind.name,           kind.mapping,       kind.payload,  kind.units,           request.size.width,
-        request.size.height, request.size.depth, kind.channels, kind.may_be_negative, world};
+    return support::TableDescription{kind.name,
+                                     kind.mapping,
+                                     kind.payload,
+                                     kind.units,
+                                     request.size.width,
+                                     request.size.height,
+                                     request.size.depth,
+                                     kind.channels,
+                                     kind.may_be_negative,
+                                     "plain",
+                                     world};
 }
 
 }  // namespace bake_tables

@@ -28,17 +28,27 @@ struct Kind {
     std::string name;  ///< on the command line, and of the file
     std::string what;  ///< one line
     support::TableSize size;
-    bool has_orders;
     std::string mapping;
     std::string payload;
     std::string units;
     std::vector<std::string> channels;
-    bool may_be_negative;
-    support::TableSize small_size;                                  ///< for tests, where not every size does
-    std::function<std::string(const support::TableSize&)> refuses;  ///< why not this size, or nothing
-    std::function<Numbers(const Request&, const Rows&)> on_cpu;
-    std::function<std::vector<double>(const Request&, const Rows&)> in_double;
-    std::function<Numbers(const Request&, GpuBaker&)> on_gpu;
+    std::string remark = "";  ///< for the page of contracts
+    bool has_orders = false;
+    bool may_be_negative = false;
+    support::TableSize small_size = {17, 10, 6};  ///< for tests; where size has a 1, so has the test
+    std::string size_rule = "";                   ///< what a size has to be, in words
+    std::function<bool(const support::TableSize&)> takes_size = [](const support::TableSize&) {
+        return true;
+    };
+
+    std::function<Numbers(const Request&, const Rows&)> on_cpu = {};
+    std::function<std::vector<double>(const Request&, const Rows&)> in_double = {};
+    std::function<Numbers(const Request&, GpuBaker&)> on_gpu = {};
+
+    /// Texture coordinates at which a table of this size is read, as users would read it.
+    std::function<std::vector<airlight::vec3<double>>(const Request&, int count)> places = {};
+    /// What a table without texels, and without rounding, would return there.
+    std::function<std::vector<double>(const Request&, const std::vector<airlight::vec3<double>>&)> exact = {};
 };
 
 const std::vector<Kind>& kinds();

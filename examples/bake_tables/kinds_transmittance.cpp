@@ -3,47 +3,48 @@
 
 #include "by_scene.hpp"
 #include "families.hpp"
+#include "places.hpp"
 
 namespace bake_tables {
 namespace {
 
 using airlight::AltitudeCosine;
-using airlight::Table;
 using airlight::vec2;
 using airlight::vec3;
 
+/// One pass, one texture of three numbers.
+auto one_pass(const std::string& shader) {
+    return [shader](const Request& request, GpuBaker& gpu) {
+        const GpuTable table = gpu.make_table(request.size);
+        gpu.pass(shader, {&table});
+        return numbers_of(table, 3);
+    };
+}
+
 Kind transmittance() {
     Kind kind{"transmittance",
-              "share of light that reaches space, Bruneton's mapping; ignores the ground",
+              "share of light that reaches space, in Bruneton's mapping; ignores the ground",
               {256, 64, 1},
-              false,
               "transmittance_uv",
               "share of light that passes from a point to space, were there no ground",
               "1",
-              {"R", "G", "B"},
-              false,
-              {},
-              {},
-              {},
-              {},
-              {}};
-    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const Rows& rows) {
+              {"R", "G", "B"}};
+    bake_each_alone(kind, [](auto scene, const auto& air, const auto& uvw, const support::TableSize& size) {
         using T = scalar_of<std::decay_t<decltype(air)>>;
-        Table<vec3<T>> table = airlight::make_table<vec3<T>>(request.size.width, request.size.height);
-        const auto texel = [&](int i, int j, int) {
-            const vec3<T> centre = airlight::texel_centre<T>(table, i, j);
-            const AltitudeCosine<T> at = airlight::transmittance_parameters(air, vec2<T>(centre.x, centre.y),
-                                                                            table.width, table.height);
-            return airlight::transmittance<T, decltype(scene)>(air, at.altitude, at.mu,
-                                                               airlight::no_surface<T>());
-        };
-        airlight::bake_table(table, texel, rows);
-        return flat(table);
+        const AltitudeCosine<T> at =
+            airlight::transmittance_parameters(air, vec2<T>(uvw.x, uvw.y), size.width, size.height);
+        return airlight::transmittance<T, decltype(scene)>(air, at.altitude, at.mu,
+                                                           airlight::no_surface<T>());
     });
-    kind.on_gpu = [](const Request& request, GpuBaker& gpu) {
-        const GpuTable table = gpu.make_table(request.size);
-        gpu.pass("transmittance", {&table});
-        return numbers_of(table, 3);
+    kind.on_gpu = one_pass("transmittance");
+    kind.places = [](const Request& request, int count) {
+        return drawn_places(
+            request, count, [](const auto& air, Draws& draws, const support::TableSize& size) {
+                const double altitude = draws.altitude(air);
+                return vec3<double>(airlight::transmittance_uv(air, altitude, draws.sky_cosine(air, altitude),
+                                                               size.width, size.height),
+                                    0.5);
+            });
     };
     return kind;
 }
@@ -52,33 +53,25 @@ Kind extinction() {
     Kind kind{"extinction",
               "share of light that reaches space, plainly over altitude and angle; 0 behind the planet",
               {256, 256, 1},
-              false,
               "extinction_uv",
               "share of light that passes from a point to space, 0 where the planet is in the way",
               "1",
-              {"R", "G", "B"},
-              false,
-              {},
-              {},
-              {},
-              {},
-              {}};
-    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const Rows& rows) {
+              {"R", "G", "B"}};
+    bake_each_alone(kind, [](auto scene, const auto& air, const auto& uvw, const support::TableSize& size) {
         using T = scalar_of<std::decay_t<decltype(air)>>;
-        Table<vec3<T>> table = airlight::make_table<vec3<T>>(request.size.width, request.size.height);
-        const auto texel = [&](int i, int j, int) {
-            const vec3<T> centre = airlight::texel_centre<T>(table, i, j);
-            const AltitudeCosine<T> at =
-                airlight::extinction_parameters(air, vec2<T>(centre.x, centre.y), table.width, table.height);
-            return airlight::transmittance_to_space<T, decltype(scene)>(air, at.altitude, at.mu);
-        };
-        airlight::bake_table(table, texel, rows);
-        return flat(table);
+        const AltitudeCosine<T> at =
+            airlight::extinction_parameters(air, vec2<T>(uvw.x, uvw.y), size.width, size.height);
+        return airlight::transmittance_to_space<T, decltype(scene)>(air, at.altitude, at.mu);
     });
-    kind.on_gpu = [](const Request& request, GpuBaker& gpu) {
-        const GpuTable table = gpu.make_table(request.size);
-        gpu.pass("extinction", {&table});
-        return numbers_of(table, 3);
+    kind.on_gpu = one_pass("extinction");
+    kind.places = [](const Request& request, int count) {
+        return drawn_places(
+            request, count, [](const auto& air, Draws& draws, const support::TableSize& size) {
+                const double altitude = draws.altitude(air);
+                return vec3<double>(airlight::extinction_uv(air, altitude, draws.sky_cosine(air, altitude),
+                                                            size.width, size.height),
+                                    0.5);
+            });
     };
     return kind;
 }

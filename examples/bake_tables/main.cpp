@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "contract.hpp"
 #include "kinds.hpp"
 #include "support/command_line.hpp"
 #include "support/error.hpp"
@@ -30,6 +31,8 @@ struct Options {
     std::string format = "half";
     std::string on = "cpu";
     std::string output = ".";
+    std::string contract;
+    std::string check;
 };
 
 /// "64x32" or "32x64x16"; a table of two dimensions takes no third.
@@ -54,9 +57,8 @@ support::TableSize parsed_size(const std::string& text, const Kind& kind) {
     if (long(size.width) * size.height * size.depth > most_texels) {
         throw support::Error("--size " + text + " is too large; give at most 64 million texels in all");
     }
-    const std::string why = kind.refuses ? kind.refuses(size) : "";
-    if (!why.empty()) {
-        throw support::Error("--size " + text + " does not do for " + kind.name + ": " + why);
+    if (!kind.takes_size(size)) {
+        throw support::Error("--size " + text + " does not do for " + kind.name + "; " + kind.size_rule);
     }
     return size;
 }
@@ -83,7 +85,10 @@ void bake(const Kind& kind, const Options& options, bool on_gpu) {
         }
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    const bool half = options.format == "half";
+    if (options.format == "root") {
+        table = support::in_roots(table);
+    }
+    const bool half = options.format != "float";
     const std::filesystem::path path = std::filesystem::path(options.output) / (kind.name + ".exr");
     support::write_table(path, table,
                          half ? support::TableFormat::half_float : support::TableFormat::single_float);
@@ -123,13 +128,27 @@ int main(int argc, char** argv) {
     add_value(app, "--orders", "<count>", options.orders,
               "of scattering, for tables made order by order (default 4)")
         ->check(CLI::Range(1, 100));
-    add_value(app, "--format", "<half|float>", options.format, "of the numbers in the file (default half)")
-        ->check(CLI::IsMember({"half", "float"}));
+    add_value(app, "--format", "<half|float|root>", options.format,
+              "of the numbers in the file; root is the square root in half, for twilight (default half)")
+        ->check(CLI::IsMember({"half", "float", "root"}));
     add_value(app, "--on", "<cpu|gpu>", options.on, "what computes, in float (default cpu)")
         ->check(CLI::IsMember({"cpu", "gpu"}));
     add_value(app, "--output", "<folder>", options.output, "made if it is missing (default the current one)");
+    add_value(app, "--contract", "<file>", options.contract,
+              "measure every table for Earth and write the page about them instead (docs/tables.md)");
+    add_value(app, "--check-contract", "<file>", options.check,
+              "see that this page has every table, and stop");
     app.footer(list_of_tables());
     return support::guarded_main(app, argc, argv, [&] {
+        if (!options.check.empty()) {
+            check_contract(options.check);
+            return 0;
+        }
+        if (!options.contract.empty()) {
+            const support::GlContext gl(4, 3);
+            write_contract(options.contract, gl.renderer());
+            return 0;
+        }
         std::vector<const Kind*> chosen;
         for (const std::string& name : options.tables) {
             chosen.push_back(&kind_named(name));
@@ -151,6 +170,12 @@ int main(int argc, char** argv) {
             context.emplace(4, 3);
         }
         support::make_writable_directory(options.output);
+        for (const Kind* kind : chosen) {
+            if (options.format == "root" && kind->may_be_negative) {
+                throw support::Error(kind->name +
+                                     " has numbers below 0, which have no root; give another --format");
+            }
+        }
         for (const Kind* kind : chosen) {
             bake(*kind, options, context.has_value());
         }

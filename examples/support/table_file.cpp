@@ -2,6 +2,7 @@
 
 #include <half.h>
 
+#include <airlight/table_storage.hpp>
 #include <cmath>
 #include <cstdio>
 
@@ -23,7 +24,8 @@ std::map<std::string, std::string> header_of(const TableDescription& about) {
     std::map<std::string, std::string> header = {
         {prefix + "version", AIRLIGHT_VERSION}, {prefix + "kind", about.kind},
         {prefix + "mapping", about.mapping},    {prefix + "payload", about.payload},
-        {prefix + "units", about.units},        {prefix + "size", size_text(about)}};
+        {prefix + "units", about.units},        {prefix + "storage", about.storage},
+        {prefix + "size", size_text(about)}};
     for (const auto& [name, value] : about.world) {
         header[prefix + "world." + name] = value;
     }
@@ -75,6 +77,10 @@ void check_header(const std::filesystem::path& path, const std::map<std::string,
     }
     if (value("mapping") != wanted.mapping) {
         refuse(path, "is read by " + value("mapping") + ", not by " + wanted.mapping, bake);
+    }
+    if (value("storage") != wanted.storage) {
+        refuse(path, "holds " + value("storage") + " numbers, not " + wanted.storage + " ones",
+               "bake it anew with bake_tables --format, or ask for what it holds");
     }
     if (value("size") != size_text(wanted)) {
         refuse(path, "has " + value("size") + " texels, not " + size_text(wanted),
@@ -130,6 +136,15 @@ TableWorld table_world(const airlight::Atmosphere<double>& atmosphere) {
     scalar("ozone_half_width", atmosphere.ozone_half_width);
     spectrum("ground_albedo", atmosphere.ground_albedo);
     return world;
+}
+
+StoredTable in_roots(const StoredTable& table) {
+    StoredTable roots = table;
+    roots.about.storage = "square root";
+    for (float& number : roots.texels) {
+        number = airlight::stored_light(airlight::vec3<float>(number)).x;
+    }
+    return roots;
 }
 
 float rounded_to_half(float number) {

@@ -30,6 +30,7 @@ struct TableDescription {
     int depth;
     std::vector<std::string> channels;  ///< "R", or "mie.R"
     bool may_be_negative;               ///< whether a texel below 0 is no error
+    std::string storage;                ///< "plain", or "square root", see airlight/table_storage.hpp
     TableWorld world;
 };
 
@@ -54,6 +55,9 @@ TableWorld table_world(const airlight::Atmosphere<double>& atmosphere) {
     world["scene.planet_shadow"] = std::to_string(Scene::planet_shadow);
     return world;
 }
+
+/// The same table in square roots, as airlight::stored_light makes them.
+StoredTable in_roots(const StoredTable& table);
 
 /// The number that is left when a texel is stored as half; infinite beyond 65504.
 float rounded_to_half(float number);

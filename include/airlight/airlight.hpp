@@ -41,6 +41,7 @@
 #include <airlight/scattering_mapping.hpp>
 #include <airlight/sky_view_mapping.hpp>
 #include <airlight/table_mapping.hpp>
+#include <airlight/table_storage.hpp>
 
 #include <airlight/compose.hpp>
 #include <airlight/sun.hpp>

@@ -30,8 +30,8 @@ std::unique_ptr<support::GlContext> open_context() {
 /// Small, and odd where the table allows it.
 support::TableSize small_size(const Kind& kind) {
     const auto side = [](int full, int small) { return full == 1 ? 1 : small; };
-    support::TableSize size{side(kind.size.width, 17), side(kind.size.height, 10), side(kind.size.depth, 6)};
-    return kind.refuses && !kind.refuses(size).empty() ? kind.small_size : size;
+    return {side(kind.size.width, kind.small_size.width), side(kind.size.height, kind.small_size.height),
+            side(kind.size.depth, kind.small_size.depth)};
 }
 
 /// How many numbers lie between two halves; 0 and the smallest are neighbours.

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <airlight/atmospheres.hpp>
+#include <airlight/table_storage.hpp>
 #include <cmath>
 #include <limits>
 
@@ -32,6 +33,7 @@ TableDescription small_description() {
             2,
             {"R", "G", "B"},
             false,
+            "plain",
             support::table_world<airlight::DefaultScene>(airlight::earth<double>())};
 }
 
@@ -65,6 +67,24 @@ TEST_CASE("a table comes back as it was written, to the bit in float and rounded
     CHECK(std::filesystem::file_size(folder.path / "h.exr") <
           std::filesystem::file_size(folder.path / "f.exr"));
     CHECK(folder.files() == 2);
+}
+
+TEST_CASE("halves lose what is dark, their square roots keep three digits of it") {
+    StoredTable table = small_table();
+    for (std::size_t n = 0; n < table.texels.size(); ++n) {
+        table.texels[n] = std::pow(10.0F, -float(n) / 5.0F);  // to 6e-15
+    }
+    const StoredTable roots = support::in_roots(table);
+    CHECK(roots.about.storage == "square root");
+    for (std::size_t n = 0; n < table.texels.size(); ++n) {
+        const float root = support::rounded_to_half(roots.texels[n]);
+        const float light = airlight::light_from_stored(airlight::vec3<float>(root)).x;
+        // Twice a half's roundoff, 2^-11, and floats' own.
+        if (table.texels[n] > 5.7e-14F) {
+            CHECK(std::fabs(light - table.texels[n]) <= 0.98e-3F * table.texels[n]);
+        }
+    }
+    CHECK(support::rounded_to_half(table.texels[40]) == 0.0F);  // 1e-8 is below every half
 }
 
 TEST_CASE("slices lie below each other, and texels become tables of vectors") {
@@ -122,6 +142,9 @@ TEST_CASE("a table of anything else is refused, in one line that says what to do
     wanted = small_description();
     wanted.world.erase("scene.ozone");
     says(wanted, "world.scene.ozone is 1 there, nothing here", "bake it anew");
+    wanted = small_description();
+    wanted.storage = "square root";
+    says(wanted, "holds plain numbers, not square root ones", "--format");
     wanted = small_description();
     wanted.channels = {"R", "G"};
     says(wanted, "other channels", "bake it anew");

@@ -1,0 +1,218 @@
+#include "contract.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <thread>
+
+#include "look_up.hpp"
+#include "support/error.hpp"
+#include "support/files.hpp"
+
+namespace bake_tables {
+namespace {
+
+constexpr int read_places = 20000;
+constexpr int orders = 4;
+
+std::string text(const char* format, double number) {
+    char out[64];
+    std::snprintf(out, sizeof out, format, number);
+    return out;
+}
+
+std::string cpu_name() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.compare(0, 10, "model name") == 0 && colon != std::string::npos) {
+            return line.substr(colon + 2);
+        }
+    }
+    return "an unnamed CPU";
+}
+
+std::size_t texel_count(const support::TableSize& size) {
+    return std::size_t(size.width) * std::size_t(size.height) * std::size_t(size.depth);
+}
+
+std::string size_text(const support::TableSize& size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height) +
+           (size.depth == 1 ? "" : " x " + std::to_string(size.depth));
+}
+
+std::string byte_text(std::size_t bytes) {
+    return bytes < 1024 * 1024 ? text("%.3g KiB", double(bytes) / 1024.0)
+                               : text("%.3g MiB", double(bytes) / (1024.0 * 1024.0));
+}
+
+std::string time_text(double seconds) {
+    return seconds < 1 ? text("%.3g ms", 1000 * seconds) : text("%.3g s", seconds);
+}
+
+/// Seconds of the fastest of as many calls as fit half a second, at least one.
+double fastest(const std::function<void()>& call) {
+    double best = HUGE_VAL;
+    double spent = 0;
+    do {
+        const auto begun = std::chrono::steady_clock::now();
+        call();
+        const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        best = std::min(best, passed);
+        spent += passed;
+    } while (spent < 0.5);
+    return best;
+}
+
+/// Median, 95th percentile and largest.
+struct Errors {
+    double median;
+    double p95;
+    double largest;
+};
+
+Errors summed_up(std::vector<double> errors) {
+    std::sort(errors.begin(), errors.end());
+    const std::size_t last = errors.size() - 1;
+    return {errors[last / 2], errors[last * 95 / 100], errors[last]};
+}
+
+std::string error_text(const Errors& errors) {
+    return text("%.2g", errors.median) + " / " + text("%.2g", errors.p95) + " / " +
+           text("%.2g", errors.largest);
+}
+
+/// What a stored table is off by at the places, relative to the exact number or to a millionth of the
+/// largest.
+Errors errors_of(const StoredNumbers& table, const std::vector<airlight::vec3<double>>& places,
+                 const std::vector<double>& exact) {
+    double largest = 0;
+    for (const double number : exact) {
+        largest = std::max(largest, std::fabs(number));
+    }
+    std::vector<double> errors;
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        const std::vector<double> read = table.at(places[n]);
+        for (std::size_t c = 0; c < read.size(); ++c) {
+            const double number = exact[n * read.size() + c];
+            errors.push_back(std::fabs(read[c] - number) / std::max(std::fabs(number), 1e-6 * largest));
+        }
+    }
+    return summed_up(std::move(errors));
+}
+
+/// Half, as it is, and double along every axis that has more than one texel.
+std::vector<support::TableSize> sizes_around(const Kind& kind) {
+    std::vector<support::TableSize> sizes;
+    for (const int quarters : {1, 2, 4, 8}) {
+        const auto side = [&](int full) { return full == 1 ? 1 : full * quarters / 4; };
+        sizes.push_back({side(kind.size.width), side(kind.size.height), side(kind.size.depth)});
+    }
+    return sizes;
+}
+
+std::string error_table(const Kind& kind, const support::Preset& preset) {
+    std::string page = "| texels | as float | as half | as half of the square root |\n|---|---|---|---|\n";
+    for (const support::TableSize& size : sizes_around(kind)) {
+        const Request request{preset, size, orders};
+        const std::vector<airlight::vec3<double>> places = kind.places(request, read_places);
+        const std::vector<double> exact = kind.exact(request, places);
+        const Numbers numbers = kind.on_cpu(request, Rows(kind.name + " " + size_text(size)));
+        page += "| " + size_text(size);
+        for (const Storage storage : {Storage::single_float, Storage::half_float, Storage::root_half}) {
+            if (storage == Storage::root_half && kind.may_be_negative) {
+                page += " | -";
+                continue;
+            }
+            page += " | " + error_text(errors_of(StoredNumbers(size, kind.channels.size(), numbers, storage),
+                                                 places, exact));
+        }
+        page += " |\n";
+    }
+    return page;
+}
+
+std::string section(const Kind& kind, const support::Preset& preset, double cpu, double gpu) {
+    std::string channels;
+    for (const std::string& channel : kind.channels) {
+        channels += (channels.empty() ? "" : ", ") + channel;
+    }
+    const std::size_t numbers = texel_count(kind.size) * kind.channels.size();
+    std::string what = kind.what;
+    what[0] = char(std::toupper(what[0]));
+    std::string page = "## " + kind.name + "\n\n" + what + ".\n\n";
+    page += "| | |\n|---|---|\n";
+    page += "| payload | " + kind.payload + " |\n";
+    page += "| channels | " + channels + " |\n";
+    page += "| units | " + kind.units + " |\n";
+    page += "| mapping | `" + kind.mapping + "` |\n";
+    page += "| size | " + size_text(kind.size) + " texels |\n";
+    page += "| bytes | " + byte_text(2 * numbers) + " in half, " + byte_text(4 * numbers) + " in float |\n";
+    page += "| baked in | " + time_text(cpu) + " on the CPU, " + time_text(gpu) + " by OpenGL" +
+            (kind.has_orders ? ", " + std::to_string(orders) + " orders" : "") + " |\n\n";
+    if (kind.exact) {
+        page += error_table(kind, preset) + "\n";
+    }
+    if (!kind.remark.empty()) {
+        page += kind.remark + "\n\n";
+    }
+    return page;
+}
+
+}  // namespace
+
+void write_contract(const std::filesystem::path& path, const std::string& renderer) {
+    const support::Preset preset = support::preset("earth");
+    std::string page =
+        "# Tables: what each holds, how far it is off, what it costs\n\n"
+        "Written by `bake_tables --contract docs/tables.md`; do not edit. Measured for Earth on " +
+        cpu_name() + " (" + std::to_string(std::thread::hardware_concurrency()) + " threads), OpenGL by " +
+        renderer +
+        ".\nTimes are the fastest of a few; a driver that keeps compiled shaders, as this one does, does not "
+        "compile "
+        "them again.\n\n"
+        "Errors are median / 95 % / largest over " +
+        std::to_string(read_places) +
+        " look-ups as a scene would make them, every channel by itself, relative\n"
+        "to the exact function in double, or to a millionth of its largest value where it is less. Every "
+        "texture "
+        "is\nfiltered linearly and clamped to the edge. \"Half of the square root\" is `stored_light` of "
+        "`table_storage.hpp`.\n\n";
+    for (const Kind& kind : kinds()) {
+        const Request request{preset, kind.size, orders};
+        const double cpu = fastest([&] { kind.on_cpu(request, Rows(kind.name + " on the CPU")); });
+        const double gpu = fastest([&] {
+            GpuBaker baker(preset, Rows(kind.name + " by OpenGL"));
+            kind.on_gpu(request, baker);
+        });
+        page += section(kind, preset, cpu, gpu);
+    }
+    page.pop_back();
+    support::write_file(path, page);
+}
+
+void check_contract(const std::filesystem::path& path) {
+    std::vector<std::string> wanted;
+    for (const Kind& kind : kinds()) {
+        wanted.push_back(kind.name);
+    }
+    std::vector<std::string> found;
+    std::istringstream lines(support::read_file(path));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.compare(0, 3, "## ") == 0) {
+            found.push_back(line.substr(3));
+        }
+    }
+    if (found != wanted) {
+        throw support::Error(
+            "'" + path.string() +
+            "' does not have the tables there are; write it anew with bake_tables --contract");
+    }
+}
+
+}  // namespace bake_tables
