@@ -2227,6 +2227,28 @@ airlight_Column airlight_column_outwards(airlight_Layers layers, airlight_LinePo
 
 // ---- sun_column -------------------------------------------------------------
 
+// The molecules and the aerosol on a line that first comes closer to the centre, from those on its mirror
+// image, which does not; as if the air never ended.
+//
+// Units:    outwards [L], of the mirror image; result [L], without ozone.
+// Domain:   that of LinePoint.
+// Accuracy: that of exponential_from_perigee.
+// Errors:   none; ignores the ground.
+// Source:   exponential_from_perigee.
+airlight_Column airlight_exponentials_through_perigee(airlight_Layers layers, airlight_LinePoint point,
+                                                      airlight_Column outwards) {
+    float half_rayleigh =
+        airlight_exponential_from_perigee(point.perigee_radius, point.perigee_altitude,
+                                          layers.rayleigh_height);
+    float mie = 0.0;
+#if AIRLIGHT_MIE
+    float half_mie =
+        airlight_exponential_from_perigee(point.perigee_radius, point.perigee_altitude, layers.mie_height);
+    mie = max(2.0 * half_mie - outwards.mie, 0.0);
+#endif
+    return airlight_Column(max(2.0 * half_rayleigh - outwards.rayleigh, 0.0), mie, 0.0);
+}
+
 // The molecules and the aerosol from a point to the sun, as if the air never ended.
 //
 // Units:    density [1] at the point; result [L], without ozone.
@@ -2236,25 +2258,17 @@ airlight_Column airlight_column_outwards(airlight_Layers layers, airlight_LinePo
 // Source:   exponential_outwards, exponential_from_perigee.
 airlight_Column airlight_exponentials_to_sun(airlight_Layers layers, airlight_LinePoint point, bool sinks,
                                              airlight_Density density) {
-    float rayleigh = airlight_exponential_outwards(point, density.rayleigh, layers.rayleigh_height,
-                                                   layers.rayleigh_root);
+    float rayleigh =
+        airlight_exponential_outwards(point, density.rayleigh, layers.rayleigh_height, layers.rayleigh_root);
     float mie = 0.0;
 #if AIRLIGHT_MIE
     mie = airlight_exponential_outwards(point, density.mie, layers.mie_height, layers.mie_root);
 #endif
+    airlight_Column outwards = airlight_Column(rayleigh, mie, 0.0);
     if (sinks) {
-        float half_rayleigh =
-            airlight_exponential_from_perigee(point.perigee_radius, point.perigee_altitude,
-                                              layers.rayleigh_height);
-        rayleigh = max(2.0 * half_rayleigh - rayleigh, 0.0);
-#if AIRLIGHT_MIE
-        float half_mie =
-            airlight_exponential_from_perigee(point.perigee_radius, point.perigee_altitude,
-                                              layers.mie_height);
-        mie = max(2.0 * half_mie - mie, 0.0);
-#endif
+        return airlight_exponentials_through_perigee(layers, point, outwards);
     }
-    return airlight_Column(rayleigh, mie, 0.0);
+    return outwards;
 }
 
 // The absorbing layer from a point to the sun.
@@ -2352,6 +2366,23 @@ vec3 airlight_transmittance(airlight_Atmosphere atmosphere, float altitude, floa
     return exp(-airlight_optical_depth(atmosphere, altitude, mu, distance));
 }
 
+// Mean of exp(-x) over a step of optical depth x: (1 - exp(-x)) / x.
+//
+// Units:    depth [1] and passed = exp(-depth); result [1].
+// Shape:    depth, passed and the result are spectra.
+// Domain:   depth >= 0, infinity included.
+// Accuracy: 2e-6, plus 64 roundoffs.
+// Errors:   none; 1 where the depth is 0.
+// Source:   Taylor's series where the difference cancels.
+vec3 airlight_mean_passed(vec3 depth, vec3 passed) {
+    float thin = 0.03;
+    float third = 0.333333333333333333333333333333333333;
+    vec3 series = 1.0 - 0.5 * depth * (1.0 - third * depth);
+    return vec3(depth.x < thin ? series.x : (1.0 - passed.x) / depth.x,
+                depth.y < thin ? series.y : (1.0 - passed.y) / depth.y,
+                depth.z < thin ? series.z : (1.0 - passed.z) / depth.z);
+}
+
 // Whether the ground sphere hides a far source from a point.
 //
 // Units:    ground_radius and altitude [L]; mu [1], cosine between the source and the vertical.
@@ -2380,6 +2411,600 @@ vec3 airlight_transmittance_to_space(airlight_Atmosphere atmosphere, float altit
     }
 #endif
     return airlight_transmittance(atmosphere, altitude, mu, airlight_no_surface());
+}
+
+// ---- table_mapping ----------------------------------------------------------
+
+// A point of a table over altitude and one cosine.
+struct airlight_AltitudeCosine {
+    float altitude;  // [L] in [0, top_altitude]
+    float mu;        // [1] in [-1, 1], cosine between a direction and the vertical
+};
+
+// A share in [0, 1], whatever it is given.
+//
+// Units:    part and whole in one unit; result [1].
+// Domain:   every number.
+// Accuracy: 1 roundoff.
+// Errors:   a whole of 0 or less gives 0; so does NaN in C++.
+// Source:   none.
+float airlight_share_of(float part, float whole) {
+    return whole > 0.0 ? min(max(0.0, part / whole), 1.0) : 0.0;
+}
+
+// The coordinate at which a texture returns its first texel for x = 0 and its last one for x = 1.
+//
+//     u = (1/2 + x (size - 1)) / size
+//
+// Units:    x [1]; size in texels; result [1], in [0, 1].
+// Domain:   size >= 1; x outside [0, 1] counts as the end it is closer to.
+// Accuracy: 2 roundoffs.
+// Errors:   NaN gives the first texel in C++.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl, texture coordinates.
+float airlight_texture_from_unit(float x, int size) {
+    return (0.5 + airlight_share_of(x, 1.0) * float(size - 1)) / float(size);
+}
+
+// The inverse of texture_from_unit.
+//
+//     x = (u size - 1/2) / (size - 1)
+//
+// Units:    u [1]; size in texels; result [1], in [0, 1].
+// Domain:   size >= 1; u outside the centres of the first and last texel counts as that centre.
+// Accuracy: 2 roundoffs of size.
+// Errors:   a single texel gives 0; so does NaN in C++.
+// Source:   as texture_from_unit.
+float airlight_unit_from_texture(float u, int size) {
+    return airlight_share_of(u * float(size) - 0.5, float(size - 1));
+}
+
+// The altitude at which a table is read: the ground for what lies below it, the top for what lies above.
+// This is the one rule for all tables.
+//
+// Units:    altitude [L]; result [L].
+// Domain:   top_altitude >= 0.
+// Accuracy: exact.
+// Errors:   NaN gives 0 in C++.
+// Source:   none.
+float airlight_table_altitude(airlight_Atmosphere atmosphere, float altitude) {
+    return min(max(0.0, altitude), atmosphere.top_altitude);
+}
+
+// A cosine that rounding may have pushed out of [-1, 1].
+//
+// Units:    mu [1]; result [1].
+// Domain:   every number.
+// Accuracy: exact.
+// Errors:   NaN gives -1 in C++.
+// Source:   none.
+float airlight_table_cosine(float mu) {
+    return min(max(-1.0, mu), 1.0);
+}
+
+// Distance from a point to its horizon on the ground sphere.
+//
+// Units:    ground_radius, altitude and result [L].
+// Domain:   ground_radius > 0; altitude >= 0.
+// Accuracy: 3 roundoffs.
+// Errors:   below the ground 0.
+// Source:   Pythagoras.
+float airlight_horizon_distance(float ground_radius, float altitude) {
+    return airlight_safe_sqrt(altitude * (2.0 * ground_radius + altitude));
+}
+
+// The altitude that has its horizon at a distance.
+//
+//     r - R = distance^2 / (R + sqrt(R^2 + distance^2))
+//
+// Units:    ground_radius, distance and result [L].
+// Domain:   ground_radius > 0; distance >= 0.
+// Accuracy: 4 roundoffs.
+// Errors:   none.
+// Source:   difference of squares.
+float airlight_altitude_of_horizon(float ground_radius, float distance) {
+    float square = distance * distance;
+    return square / (ground_radius + sqrt(ground_radius * ground_radius + square));
+}
+
+// Cosine between the vertical and the horizon: 0 on the ground, towards -1 from far away.
+//
+// Units:    ground_radius and altitude [L]; result [1].
+// Domain:   ground_radius > 0; altitude >= 0.
+// Accuracy: 5 roundoffs.
+// Errors:   below the ground 0.
+// Source:   definition.
+float airlight_horizon_cosine(float ground_radius, float altitude) {
+    return -airlight_horizon_distance(ground_radius, altitude) / (ground_radius + altitude);
+}
+
+// How much longer a ray to the top of the air is than the vertical one.
+//
+//     d - (top - h) = d (R + h) (1 - mu) / (2 R + top + h) (1 + (R + h) (1 + mu) / (R + top + s))
+//
+// with s the ray's half chord in the sphere of the top: a product of positive terms, nothing cancels.
+//
+// Units:    lengths [L]; mu [1]; result [L].
+// Domain:   ground_radius > 0; altitude in [0, top_altitude]; mu in [-1, 1]. Ignores the ground.
+// Accuracy: 12 roundoffs.
+// Errors:   none.
+// Source:   roots without cancellation as in intersect_ray_sphere.
+float airlight_excess_to_top(float ground_radius, float top_altitude, float altitude, float mu) {
+    float radius = ground_radius + altitude;
+    float along = radius * mu;
+    float sum = 2.0 * ground_radius + top_altitude + altitude;
+    float gap = (top_altitude - altitude) * sum;
+    float half_chord = airlight_safe_sqrt(along * along + gap);
+    float distance = along > 0.0 ? gap / (along + half_chord) : half_chord - along;
+    float bend = 1.0 + radius * (1.0 + mu) / (ground_radius + top_altitude + half_chord);
+    return distance * (radius * (1.0 - mu) / sum) * bend;
+}
+
+// The inverse of excess_to_top: the cosine of the ray that is longer than the vertical one by `excess`.
+//
+// Units:    lengths [L]; result [1], in [-1, 1].
+// Domain:   ground_radius > 0; altitude in [0, top_altitude]; excess >= 0.
+// Accuracy: 6 roundoffs of 1.
+// Errors:   at the top, where rays upward have no length, an excess of 0 gives the vertical.
+// Source:   law of cosines.
+float airlight_cosine_from_excess(float ground_radius, float top_altitude, float altitude, float excess) {
+    float shortest = top_altitude - altitude;
+    float distance = shortest + excess;
+    if (distance <= 0.0) {
+        return 1.0;
+    }
+    float sum = 2.0 * ground_radius + top_altitude + altitude;
+    return airlight_table_cosine((shortest / distance * sum - distance) / (2.0 * (ground_radius + altitude)));
+}
+
+// Where a table over altitude and angle is read: x is the altitude, y the angle, 0 up and 1 down.
+//
+//     x = altitude / top_altitude,   y = (1 - mu) / 2
+//
+// Units:    altitude [L]; mu [1]; width and height in texels; result [1], in [0, 1].
+// Domain:   every altitude and cosine, see table_altitude; width and height >= 1.
+// Accuracy: 4 roundoffs.
+// Errors:   none.
+// Source:   the plainest choice; even in the cosine, so few texels lie close to the horizon.
+vec2 airlight_extinction_uv(airlight_Atmosphere atmosphere, float altitude, float mu, int width, int height) {
+    float x = airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude);
+    float y = 0.5 * (1.0 - airlight_table_cosine(mu));
+    return vec2(airlight_texture_from_unit(x, width), airlight_texture_from_unit(y, height));
+}
+
+// The inverse of extinction_uv.
+//
+// Units:    uv [1]; width and height in texels.
+// Domain:   every uv; width and height >= 1.
+// Accuracy: 4 roundoffs of the size.
+// Errors:   none.
+// Source:   as extinction_uv.
+airlight_AltitudeCosine airlight_extinction_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
+                                                       int height) {
+    return airlight_AltitudeCosine(airlight_unit_from_texture(uv.x, width) * atmosphere.top_altitude,
+                                   1.0 - 2.0 * airlight_unit_from_texture(uv.y, height));
+}
+
+// The share, in [0, 1], that spreads altitudes in a table: even in the distance to the horizon, so that
+// texels crowd at the ground.
+//
+// Units:    altitude [L]; result [1].
+// Domain:   every altitude, see table_altitude.
+// Accuracy: 5 roundoffs.
+// Errors:   none.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl; in altitudes.
+float airlight_unit_from_altitude(airlight_Atmosphere atmosphere, float altitude) {
+    return airlight_share_of(airlight_horizon_distance(atmosphere.ground_radius,
+                                                       airlight_table_altitude(atmosphere, altitude)),
+                             airlight_horizon_distance(atmosphere.ground_radius, atmosphere.top_altitude));
+}
+
+// The inverse of unit_from_altitude.
+//
+// Units:    x [1]; result [L].
+// Domain:   x in [0, 1].
+// Accuracy: 8 roundoffs.
+// Errors:   none.
+// Source:   as unit_from_altitude.
+float airlight_altitude_from_unit(airlight_Atmosphere atmosphere, float x) {
+    float distance = x * airlight_horizon_distance(atmosphere.ground_radius, atmosphere.top_altitude);
+    return min(airlight_altitude_of_horizon(atmosphere.ground_radius, distance), atmosphere.top_altitude);
+}
+
+// The share, in [0, 1], that spreads the directions above the horizon: even in the ray's length, from the
+// vertical (0) to the horizon (1).
+//
+// Units:    altitude [L]; mu [1]; result [1].
+// Domain:   altitude in [0, top_altitude]; mu in [-1, 1]; below the horizon 1.
+// Accuracy: 30 roundoffs.
+// Errors:   none.
+// Source:   as unit_from_altitude.
+float airlight_unit_from_upward_cosine(airlight_Atmosphere atmosphere, float altitude, float mu) {
+    float radius = atmosphere.ground_radius;
+    float top = atmosphere.top_altitude;
+    return airlight_share_of(airlight_excess_to_top(radius, top, altitude, mu),
+                             airlight_excess_to_top(radius, top, altitude,
+                                                    airlight_horizon_cosine(radius, altitude)));
+}
+
+// The inverse of unit_from_upward_cosine.
+//
+// Units:    altitude [L]; x [1]; result [1], from the horizon's cosine to 1.
+// Domain:   altitude in [0, top_altitude]; x in [0, 1].
+// Accuracy: 30 roundoffs of 1.
+// Errors:   none.
+// Source:   as unit_from_altitude.
+float airlight_upward_cosine_from_unit(airlight_Atmosphere atmosphere, float altitude, float x) {
+    float radius = atmosphere.ground_radius;
+    float top = atmosphere.top_altitude;
+    float horizon = airlight_horizon_cosine(radius, altitude);
+    float excess = x * airlight_excess_to_top(radius, top, altitude, horizon);
+    return max(airlight_cosine_from_excess(radius, top, altitude, excess), horizon);
+}
+
+// Where a table of transmittances to space is read: x is the direction, y the altitude. Only directions
+// above the horizon have a place.
+//
+// Units:    altitude [L]; mu [1]; width and height in texels; result [1], in [0, 1].
+// Domain:   every altitude and cosine, see table_altitude; below the horizon the horizon's place.
+// Accuracy: 32 roundoffs.
+// Errors:   none.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl; in altitudes.
+vec2 airlight_transmittance_uv(airlight_Atmosphere atmosphere, float altitude, float mu, int width,
+                               int height) {
+    float above = airlight_table_altitude(atmosphere, altitude);
+    return vec2(airlight_texture_from_unit(airlight_unit_from_upward_cosine(atmosphere, above,
+                                                                            airlight_table_cosine(mu)),
+                                                                            width),
+                airlight_texture_from_unit(airlight_unit_from_altitude(atmosphere, above), height));
+}
+
+// The inverse of transmittance_uv. The last column is the horizon to rounding: what fills the table has to
+// ignore the ground.
+//
+// Units:    uv [1]; width and height in texels.
+// Domain:   every uv; width and height >= 1.
+// Accuracy: 32 roundoffs of 1 in mu, 8 in altitude, times the size.
+// Errors:   none.
+// Source:   as transmittance_uv.
+airlight_AltitudeCosine airlight_transmittance_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
+                                                          int height) {
+    float altitude = airlight_altitude_from_unit(atmosphere, airlight_unit_from_texture(uv.y, height));
+    return airlight_AltitudeCosine(altitude,
+                                   airlight_upward_cosine_from_unit(atmosphere, altitude,
+                                                                    airlight_unit_from_texture(uv.x, width)));
+}
+
+// Where a table over the sun's height and the altitude is read, both even: irradiance on the ground and in
+// the air, light that has been scattered many times.
+//
+//     x = (1 + mu_s) / 2,   y = altitude / top_altitude
+//
+// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; result [1], in [0, 1].
+// Domain:   every altitude and cosine, see table_altitude; width and height >= 1.
+// Accuracy: 4 roundoffs.
+// Errors:   none.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl, irradiance; the same in
+//           Hillaire, UnrealEngineSkyAtmosphere (2020), RenderSkyCommon.hlsl, multiple scattering.
+vec2 airlight_altitude_sun_uv(airlight_Atmosphere atmosphere, float altitude, float mu_s, int width,
+                              int height) {
+    float x = 0.5 * (1.0 + airlight_table_cosine(mu_s));
+    float y = airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude);
+    return vec2(airlight_texture_from_unit(x, width), airlight_texture_from_unit(y, height));
+}
+
+// The inverse of altitude_sun_uv.
+//
+// Units:    uv [1]; width and height in texels.
+// Domain:   every uv; width and height >= 1.
+// Accuracy: 4 roundoffs of the size.
+// Errors:   none.
+// Source:   as altitude_sun_uv.
+airlight_AltitudeCosine airlight_altitude_sun_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
+                                                         int height) {
+    return airlight_AltitudeCosine(airlight_unit_from_texture(uv.y, height) * atmosphere.top_altitude,
+                                   2.0 * airlight_unit_from_texture(uv.x, width) - 1.0);
+}
+
+// ---- hillaire_table ---------------------------------------------------------
+
+// Cosine of a share of half a turn.
+//
+//     cos(pi share) = sin(y),   y = pi (1 / 2 - share)
+//
+// GLSL bounds the error of its own cosine far too loosely; these are seven terms of the sine's series.
+//
+// Units:    share [1]; result [1].
+// Domain:   share in [0, 1].
+// Accuracy: 7e-12, plus 8 roundoffs of 1.
+// Errors:   outside the domain the series goes on and leaves [-1, 1].
+// Source:   Taylor's series.
+float airlight_cosine_of_half_turn(float share) {
+    float y = airlight_pi * (0.5 - share);
+    float z = y * y;
+    float sum = 1.0 - z / 210.0;
+    sum = 1.0 - z / 156.0 * sum;
+    sum = 1.0 - z / 110.0 * sum;
+    sum = 1.0 - z / 72.0 * sum;
+    sum = 1.0 - z / 42.0 * sum;
+    sum = 1.0 - z / 20.0 * sum;
+    sum = 1.0 - z / 6.0 * sum;
+    return y * sum;
+}
+
+// What one direction adds to a point: light scattered once, and the share of even light from everywhere that
+// is scattered there towards the point.
+struct airlight_Gathered {
+    vec3 light;  // [1/sr] per unit of solar irradiance above the air, the ground's included
+    vec3 share;  // [1] in [0, 1]
+};
+
+// Sunlight at a point of the air, as shadow and air leave it.
+//
+// Units:    altitude [L]; sun_height [L], of the point from the centre towards the sun; result [1].
+// Shape:    the result is a spectrum.
+// Domain:   altitude in [0, top_altitude].
+// Accuracy: that of column_to_sun.
+// Errors:   none; 0 behind the planet, which Scene::planet_shadow may leave out.
+// Source:   Beer's law.
+vec3 airlight_sunlight_at(airlight_Atmosphere atmosphere, airlight_Layers layers, float altitude,
+                          float sun_height) {
+    float radius = atmosphere.ground_radius + altitude;
+    airlight_LinePoint point = airlight_line_towards_sun(altitude, radius, 1.0 / radius, sun_height);
+    bool sinks = sun_height < 0.0;
+#if AIRLIGHT_PLANET_SHADOW
+    if (sinks && point.perigee_altitude < 0.0) {
+        return vec3(0.0, 0.0, 0.0);
+    }
+#endif
+    airlight_Density density = airlight_layer_density(layers, altitude);
+    airlight_Column air = airlight_column_to_sun(layers, atmosphere.ground_radius, point, sinks, density);
+    return exp(-airlight_column_optical_depth(atmosphere, air));
+}
+
+// What a point gets from one direction, by even steps through the air; phase functions count as isotropic.
+//
+// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors.
+// Domain:   an eye in the air; steps >= 1.
+// Accuracy: second order in the step.
+// Errors:   none; fewer than one step give the ground's light alone.
+// Source:   Hillaire, UnrealEngineSkyAtmosphere (2020), RenderSkyRayMarching.hlsl; his equations 5 to 8 in A
+//           Scalable and Production Ready Sky and Atmosphere Rendering Technique (2020).
+airlight_Gathered airlight_gathered_along(airlight_Atmosphere atmosphere, airlight_Layers layers,
+                                          airlight_Viewpoint eye, vec3 direction, vec3 to_sun, int steps) {
+    float radius = atmosphere.ground_radius;
+    airlight_AirRay ray = airlight_air_ray(atmosphere, eye, direction, airlight_no_surface());
+    airlight_SunOverLine sun = airlight_sun_over_line(radius, eye, direction, to_sun);
+    float step_length = ray.extent / max(float(steps), 1.0);
+
+    vec3 light = vec3(0.0, 0.0, 0.0);
+    vec3 share = vec3(0.0, 0.0, 0.0);
+    vec3 seen = vec3(1.0, 1.0, 1.0);
+    for (int i = 0; i < steps; ++i) {
+        float t = (float(i) + 0.5) * step_length;
+        float altitude = max(airlight_altitude_along_ray(radius, ray.altitude, ray.along, t), 0.0);
+        airlight_Density density = airlight_relative_density(atmosphere, altitude);
+        vec3 scattering = atmosphere.rayleigh_scattering * density.rayleigh;
+#if AIRLIGHT_MIE
+        scattering += atmosphere.mie_scattering * density.mie;
+#endif
+        airlight_Column air =
+            airlight_Column(step_length * density.rayleigh, step_length * density.mie,
+                            step_length * density.ozone);
+        vec3 depth = airlight_column_optical_depth(atmosphere, air);
+        vec3 passed = exp(-depth);
+        vec3 scattered = seen * (step_length * scattering) * airlight_mean_passed(depth, passed);
+        float sun_height = sun.perigee_height + (ray.along + t) * sun.cos_theta;
+        light += scattered * airlight_sunlight_at(atmosphere, layers, altitude, sun_height);
+        share += scattered;
+        seen *= passed;
+    }
+    light *= airlight_isotropic_phase();
+    if (ray.reaches_ground) {
+        float sun_height = sun.perigee_height + (ray.along + ray.extent) * sun.cos_theta;
+        float mu_s = clamp(sun_height / radius, 0.0, 1.0);
+        vec3 reflected = atmosphere.ground_albedo * (mu_s / airlight_pi);
+        light += seen * reflected * airlight_sunlight_at(atmosphere, layers, 0.0, sun_height);
+    }
+    return airlight_Gathered(light, share);
+}
+
+// What a texel of Hillaire's table holds: the mean radiance, over all directions, of light that has been
+// scattered at least once, all orders together. Times the scattering coefficient it is the source of all
+// orders from the second on.
+//
+//     psi = L_2 / (1 - f),   L_2 and f the means of Gathered over the sphere
+//
+// Directions lie in the middles of equal solid angles. Those on the two sides of the sun are alike, so only
+// one side is walked: 8 zeniths and 4 azimuths stand for Hillaire's 64 directions.
+//
+// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; result [1/sr] per unit of solar
+//           irradiance above the air.
+// Shape:    the result is a spectrum.
+// Domain:   altitude in [0, top_altitude]; mu_s in [-1, 1]; zeniths, azimuths and steps >= 1.
+// Accuracy: of the method, docs/tables.md; a hundredfold gain of the series is the largest.
+// Errors:   none; no directions give 0.
+// Source:   as gathered_along; equations 9 and 10.
+vec3 airlight_hillaire_texel(airlight_Atmosphere atmosphere, float altitude, float mu_s, int zeniths,
+                             int azimuths, int steps) {
+    airlight_Layers layers = airlight_layers_of(atmosphere);
+    airlight_Viewpoint eye = airlight_Viewpoint(airlight_table_altitude(atmosphere, altitude),
+                                                vec3(0.0, 0.0, 1.0));
+    float cosine = airlight_table_cosine(mu_s);
+    vec3 to_sun = vec3(airlight_safe_sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine);
+
+    vec3 light = vec3(0.0, 0.0, 0.0);
+    vec3 share = vec3(0.0, 0.0, 0.0);
+    for (int i = 0; i < zeniths; ++i) {
+        float mu = 1.0 - (2.0 * float(i) + 1.0) / float(zeniths);
+        float sine = airlight_safe_sqrt((1.0 - mu) * (1.0 + mu));
+        for (int j = 0; j < azimuths; ++j) {
+            float ahead = airlight_cosine_of_half_turn((float(j) + 0.5) / float(azimuths));
+            float aside = airlight_safe_sqrt((1.0 - ahead) * (1.0 + ahead));
+            vec3 direction = vec3(sine * ahead, sine * aside, mu);
+            airlight_Gathered gathered =
+                airlight_gathered_along(atmosphere, layers, eye, direction, to_sun, steps);
+            light += gathered.light;
+            share += gathered.share;
+        }
+    }
+    float count = max(float(zeniths) * float(azimuths), 1.0);
+    vec3 least = vec3(0.01, 0.01, 0.01);
+    return light / count / max(1.0 - share / count, least);
+}
+
+// ---- transmittance_table ----------------------------------------------------
+
+// Hook: a table of slants at texture coordinates. Without one the guess stands, up to 6 % too high.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_SLANT_TABLE
+#define AIRLIGHT_SLANT_TABLE(uv) (vec2(0.0, 0.0))
+#endif
+
+// A guess at chapman: exact along the horizon, right for a vertical ray through a thin shell.
+//
+//     2 / (mu + sqrt(mu^2 + 8 / (pi (x + 3 / 4))))
+//
+// Units:    x = radius / scale height [1]; mu [1]; result [1].
+// Domain:   x >= 0; mu in [0, 1].
+// Accuracy: 6 % too high, 1.3 % too low at most from x = 50 on (measured: 5.8 %, 1.2 %).
+// Errors:   none; an infinite x gives 1 / mu, which is infinite along the horizon.
+// Source:   the upper bound of the error function in NIST Digital Library of Mathematical Functions, 7.8.2;
+//           3 / 4 as in exponential_from_perigee.
+float airlight_slant_guess(float x, float mu) {
+    return 2.0 / (mu + sqrt(mu * mu + 8.0 / (airlight_pi * (x + 0.75))));
+}
+
+// The cosine that stands in the middle of a table of slants.
+//
+// Units:    result [1].
+// Domain:   that of Atmosphere.
+// Accuracy: 3 roundoffs.
+// Errors:   none; without molecules and aerosol 0.
+// Source:   chosen: the cosine at which Chapman's function bends is about the root of height over radius.
+float airlight_slant_scale(airlight_Atmosphere atmosphere) {
+    return sqrt(max(atmosphere.rayleigh_scale_height, atmosphere.mie_scale_height) /
+                atmosphere.ground_radius);
+}
+
+// Where a table of slants is read: x is the direction, along the horizon 0 and vertical 1, y the altitude.
+//
+//     x = mu (1 + s) / (mu + s),   y = altitude / top_altitude,   s = slant_scale
+//
+// Units:    altitude [L]; mu [1]; width and height in texels; result [1], in [0, 1].
+// Domain:   every altitude, see table_altitude; mu in [0, 1]; width and height >= 1.
+// Accuracy: 6 roundoffs.
+// Errors:   none; a mu below 0 counts as 0.
+// Source:   slant_scale.
+vec2 airlight_slant_uv(airlight_Atmosphere atmosphere, float altitude, float mu, int width, int height) {
+    float scale = airlight_slant_scale(atmosphere);
+    float upward = max(mu, 0.0);
+    float x = airlight_share_of(upward * (1.0 + scale), upward + scale);
+    float y = airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude);
+    return vec2(airlight_texture_from_unit(x, width), airlight_texture_from_unit(y, height));
+}
+
+// The inverse of slant_uv.
+//
+//     mu = s x / (1 + s - x)
+//
+// Units:    uv [1]; width and height in texels.
+// Domain:   every uv; width and height >= 1.
+// Accuracy: 6 roundoffs of the size.
+// Errors:   none; without molecules and aerosol every direction but the vertical one lies at x = 1.
+// Source:   as slant_uv.
+airlight_AltitudeCosine airlight_slant_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
+                                                  int height) {
+    float scale = airlight_slant_scale(atmosphere);
+    float x = airlight_unit_from_texture(uv.x, width);
+    float mu = airlight_share_of(scale * x, (1.0 - x) + scale);
+    return airlight_AltitudeCosine(airlight_unit_from_texture(uv.y, height) * atmosphere.top_altitude, mu);
+}
+
+// What a texel of a table of slants holds: by how much Chapman's function exceeds slant_guess, for the
+// molecules (x) and the aerosol (y), as shares of the guess.
+//
+// Units:    altitude [L]; mu [1]; result [1].
+// Domain:   altitude in [0, top_altitude]; mu in [0, 1].
+// Accuracy: that of chapman.
+// Errors:   none; in [-0.06, 0.013] from radius / scale height = 50 on.
+// Source:   chapman, slant_guess.
+vec2 airlight_slant_texel(airlight_Atmosphere atmosphere, float altitude, float mu) {
+    airlight_Layers layers = airlight_layers_of(atmosphere);
+    float radius = atmosphere.ground_radius + altitude;
+    float sine = airlight_safe_sqrt((1.0 - mu) * (1.0 + mu));
+    float x = radius * layers.rayleigh_inverse;
+    float rayleigh = airlight_chapman(x, mu, sine) / airlight_slant_guess(x, mu) - 1.0;
+    float mie = 0.0;
+#if AIRLIGHT_MIE
+    float y = radius * layers.mie_inverse;
+    mie = airlight_chapman(y, mu, sine) / airlight_slant_guess(y, mu) - 1.0;
+#endif
+    return vec2(rayleigh, mie);
+}
+
+// The air from a point to the end of the air, by a table of slants.
+//
+// The densities and the ozone come as in column_to_sun, only Chapman's function from the table.
+//
+// Units:    altitude [L]; mu [1], cosine to the vertical; width and height of the table in texels;
+//           result [L].
+// Domain:   altitude in [0, top_altitude], see table_altitude; mu in [-1, 1].
+// Accuracy: as light sees it, exp of minus the optical depth, with 64 x 32 texels: 2.5e-4 of what passes
+//           (measured: 2.0e-4, half precision included); ozone of the Lorentz curve by ozone_to_sun.
+// Errors:   none; ignores the ground.
+// Source:   slant_texel.
+airlight_Column airlight_column_from_slants(airlight_Atmosphere atmosphere, float altitude, float mu,
+                                            int width, int height) {
+    airlight_Layers layers = airlight_layers_of(atmosphere);
+    float above = airlight_table_altitude(atmosphere, altitude);
+    float radius = atmosphere.ground_radius + above;
+    float cosine = airlight_table_cosine(mu);
+    bool sinks = cosine < 0.0;
+    float upward = abs(cosine);
+    airlight_LinePoint point = airlight_line_towards_sun(above, radius, 1.0 / radius, radius * cosine);
+    airlight_Density density = airlight_layer_density(layers, above);
+    vec2 excess = AIRLIGHT_SLANT_TABLE(airlight_slant_uv(atmosphere, above, upward, width, height));
+
+    float rayleigh = density.rayleigh * layers.rayleigh_height *
+                     airlight_slant_guess(radius * layers.rayleigh_inverse, upward) * (1.0 + excess.x);
+    float mie = 0.0;
+#if AIRLIGHT_MIE
+    mie = density.mie * layers.mie_height * airlight_slant_guess(radius * layers.mie_inverse, upward) *
+          (1.0 + excess.y);
+#endif
+    airlight_Column endless = airlight_Column(rayleigh, mie, 0.0);
+    if (sinks) {
+        endless = airlight_exponentials_through_perigee(layers, point, endless);
+    }
+
+    // Beyond the top there is no air: what the exponentials have there is guessed and taken off.
+    float top = layers.top_radius;
+    float exit = airlight_safe_sqrt((top - point.perigee_radius) * (top + point.perigee_radius)) / top;
+    float slant = airlight_slant_guess(top * layers.rayleigh_inverse, exit) / top;
+    float mie_left = max(endless.mie - layers.mie_above * slant, 0.0);
+    return airlight_Column(max(endless.rayleigh - layers.rayleigh_above * slant, 0.0), mie_left,
+                           airlight_ozone_to_sun(layers, atmosphere.ground_radius, point, sinks));
+}
+
+// Share of light that reaches a point from a far source, by a table of slants; 0 where the planet hides it.
+//
+// Units:    altitude [L]; mu [1], cosine between the source and the vertical; width and height of the table
+//           in texels; result [1].
+// Shape:    the result is a spectrum.
+// Domain:   that of column_from_slants.
+// Accuracy: that of column_from_slants.
+// Errors:   none; without Scene::planet_shadow the ground is ignored.
+// Source:   Beer's law.
+vec3 airlight_transmittance_from_slants(airlight_Atmosphere atmosphere, float altitude, float mu, int width,
+                                        int height) {
+#if AIRLIGHT_PLANET_SHADOW
+    if (airlight_behind_planet(atmosphere.ground_radius, altitude, mu)) {
+        return vec3(0.0, 0.0, 0.0);
+    }
+#endif
+    airlight_Column air =
+        airlight_column_from_slants(atmosphere, altitude, mu, width, height);
+    return exp(-airlight_column_optical_depth(atmosphere, air));
 }
 
 // ---- ambient ----------------------------------------------------------------
@@ -2786,298 +3411,6 @@ airlight_Scattered airlight_single_scattering_marched(airlight_Atmosphere atmosp
         atmosphere.mie_scattering * mie_light * airlight_mie_phase(sun.cos_theta, atmosphere.mie_g);
 #endif
     return airlight_Scattered(radiance, exp(-airlight_column_optical_depth(atmosphere, passed)));
-}
-
-// ---- table_mapping ----------------------------------------------------------
-
-// A point of a table over altitude and one cosine.
-struct airlight_AltitudeCosine {
-    float altitude;  // [L] in [0, top_altitude]
-    float mu;        // [1] in [-1, 1], cosine between a direction and the vertical
-};
-
-// A share in [0, 1], whatever it is given.
-//
-// Units:    part and whole in one unit; result [1].
-// Domain:   every number.
-// Accuracy: 1 roundoff.
-// Errors:   a whole of 0 or less gives 0; so does NaN in C++.
-// Source:   none.
-float airlight_share_of(float part, float whole) {
-    return whole > 0.0 ? min(max(0.0, part / whole), 1.0) : 0.0;
-}
-
-// The coordinate at which a texture returns its first texel for x = 0 and its last one for x = 1.
-//
-//     u = (1/2 + x (size - 1)) / size
-//
-// Units:    x [1]; size in texels; result [1], in [0, 1].
-// Domain:   size >= 1; x outside [0, 1] counts as the end it is closer to.
-// Accuracy: 2 roundoffs.
-// Errors:   NaN gives the first texel in C++.
-// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl, texture coordinates.
-float airlight_texture_from_unit(float x, int size) {
-    return (0.5 + airlight_share_of(x, 1.0) * float(size - 1)) / float(size);
-}
-
-// The inverse of texture_from_unit.
-//
-//     x = (u size - 1/2) / (size - 1)
-//
-// Units:    u [1]; size in texels; result [1], in [0, 1].
-// Domain:   size >= 1; u outside the centres of the first and last texel counts as that centre.
-// Accuracy: 2 roundoffs of size.
-// Errors:   a single texel gives 0; so does NaN in C++.
-// Source:   as texture_from_unit.
-float airlight_unit_from_texture(float u, int size) {
-    return airlight_share_of(u * float(size) - 0.5, float(size - 1));
-}
-
-// The altitude at which a table is read: the ground for what lies below it, the top for what lies above.
-// This is the one rule for all tables.
-//
-// Units:    altitude [L]; result [L].
-// Domain:   top_altitude >= 0.
-// Accuracy: exact.
-// Errors:   NaN gives 0 in C++.
-// Source:   none.
-float airlight_table_altitude(airlight_Atmosphere atmosphere, float altitude) {
-    return min(max(0.0, altitude), atmosphere.top_altitude);
-}
-
-// A cosine that rounding may have pushed out of [-1, 1].
-//
-// Units:    mu [1]; result [1].
-// Domain:   every number.
-// Accuracy: exact.
-// Errors:   NaN gives -1 in C++.
-// Source:   none.
-float airlight_table_cosine(float mu) {
-    return min(max(-1.0, mu), 1.0);
-}
-
-// Distance from a point to its horizon on the ground sphere.
-//
-// Units:    ground_radius, altitude and result [L].
-// Domain:   ground_radius > 0; altitude >= 0.
-// Accuracy: 3 roundoffs.
-// Errors:   below the ground 0.
-// Source:   Pythagoras.
-float airlight_horizon_distance(float ground_radius, float altitude) {
-    return airlight_safe_sqrt(altitude * (2.0 * ground_radius + altitude));
-}
-
-// The altitude that has its horizon at a distance.
-//
-//     r - R = distance^2 / (R + sqrt(R^2 + distance^2))
-//
-// Units:    ground_radius, distance and result [L].
-// Domain:   ground_radius > 0; distance >= 0.
-// Accuracy: 4 roundoffs.
-// Errors:   none.
-// Source:   difference of squares.
-float airlight_altitude_of_horizon(float ground_radius, float distance) {
-    float square = distance * distance;
-    return square / (ground_radius + sqrt(ground_radius * ground_radius + square));
-}
-
-// Cosine between the vertical and the horizon: 0 on the ground, towards -1 from far away.
-//
-// Units:    ground_radius and altitude [L]; result [1].
-// Domain:   ground_radius > 0; altitude >= 0.
-// Accuracy: 5 roundoffs.
-// Errors:   below the ground 0.
-// Source:   definition.
-float airlight_horizon_cosine(float ground_radius, float altitude) {
-    return -airlight_horizon_distance(ground_radius, altitude) / (ground_radius + altitude);
-}
-
-// How much longer a ray to the top of the air is than the vertical one.
-//
-//     d - (top - h) = d (R + h) (1 - mu) / (2 R + top + h) (1 + (R + h) (1 + mu) / (R + top + s))
-//
-// with s the ray's half chord in the sphere of the top: a product of positive terms, nothing cancels.
-//
-// Units:    lengths [L]; mu [1]; result [L].
-// Domain:   ground_radius > 0; altitude in [0, top_altitude]; mu in [-1, 1]. Ignores the ground.
-// Accuracy: 12 roundoffs.
-// Errors:   none.
-// Source:   roots without cancellation as in intersect_ray_sphere.
-float airlight_excess_to_top(float ground_radius, float top_altitude, float altitude, float mu) {
-    float radius = ground_radius + altitude;
-    float along = radius * mu;
-    float sum = 2.0 * ground_radius + top_altitude + altitude;
-    float gap = (top_altitude - altitude) * sum;
-    float half_chord = airlight_safe_sqrt(along * along + gap);
-    float distance = along > 0.0 ? gap / (along + half_chord) : half_chord - along;
-    float bend = 1.0 + radius * (1.0 + mu) / (ground_radius + top_altitude + half_chord);
-    return distance * (radius * (1.0 - mu) / sum) * bend;
-}
-
-// The inverse of excess_to_top: the cosine of the ray that is longer than the vertical one by `excess`.
-//
-// Units:    lengths [L]; result [1], in [-1, 1].
-// Domain:   ground_radius > 0; altitude in [0, top_altitude]; excess >= 0.
-// Accuracy: 6 roundoffs of 1.
-// Errors:   at the top, where rays upward have no length, an excess of 0 gives the vertical.
-// Source:   law of cosines.
-float airlight_cosine_from_excess(float ground_radius, float top_altitude, float altitude, float excess) {
-    float shortest = top_altitude - altitude;
-    float distance = shortest + excess;
-    if (distance <= 0.0) {
-        return 1.0;
-    }
-    float sum = 2.0 * ground_radius + top_altitude + altitude;
-    return airlight_table_cosine((shortest / distance * sum - distance) / (2.0 * (ground_radius + altitude)));
-}
-
-// Where a table over altitude and angle is read: x is the altitude, y the angle, 0 up and 1 down.
-//
-//     x = altitude / top_altitude,   y = (1 - mu) / 2
-//
-// Units:    altitude [L]; mu [1]; width and height in texels; result [1], in [0, 1].
-// Domain:   every altitude and cosine, see table_altitude; width and height >= 1.
-// Accuracy: 4 roundoffs.
-// Errors:   none.
-// Source:   the plainest choice; even in the cosine, so few texels lie close to the horizon.
-vec2 airlight_extinction_uv(airlight_Atmosphere atmosphere, float altitude, float mu, int width, int height) {
-    float x = airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude);
-    float y = 0.5 * (1.0 - airlight_table_cosine(mu));
-    return vec2(airlight_texture_from_unit(x, width), airlight_texture_from_unit(y, height));
-}
-
-// The inverse of extinction_uv.
-//
-// Units:    uv [1]; width and height in texels.
-// Domain:   every uv; width and height >= 1.
-// Accuracy: 4 roundoffs of the size.
-// Errors:   none.
-// Source:   as extinction_uv.
-airlight_AltitudeCosine airlight_extinction_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
-                                                       int height) {
-    return airlight_AltitudeCosine(airlight_unit_from_texture(uv.x, width) * atmosphere.top_altitude,
-                                   1.0 - 2.0 * airlight_unit_from_texture(uv.y, height));
-}
-
-// The share, in [0, 1], that spreads altitudes in a table: even in the distance to the horizon, so that
-// texels crowd at the ground.
-//
-// Units:    altitude [L]; result [1].
-// Domain:   every altitude, see table_altitude.
-// Accuracy: 5 roundoffs.
-// Errors:   none.
-// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl; in altitudes.
-float airlight_unit_from_altitude(airlight_Atmosphere atmosphere, float altitude) {
-    return airlight_share_of(airlight_horizon_distance(atmosphere.ground_radius,
-                                                       airlight_table_altitude(atmosphere, altitude)),
-                             airlight_horizon_distance(atmosphere.ground_radius, atmosphere.top_altitude));
-}
-
-// The inverse of unit_from_altitude.
-//
-// Units:    x [1]; result [L].
-// Domain:   x in [0, 1].
-// Accuracy: 8 roundoffs.
-// Errors:   none.
-// Source:   as unit_from_altitude.
-float airlight_altitude_from_unit(airlight_Atmosphere atmosphere, float x) {
-    float distance = x * airlight_horizon_distance(atmosphere.ground_radius, atmosphere.top_altitude);
-    return min(airlight_altitude_of_horizon(atmosphere.ground_radius, distance), atmosphere.top_altitude);
-}
-
-// The share, in [0, 1], that spreads the directions above the horizon: even in the ray's length, from the
-// vertical (0) to the horizon (1).
-//
-// Units:    altitude [L]; mu [1]; result [1].
-// Domain:   altitude in [0, top_altitude]; mu in [-1, 1]; below the horizon 1.
-// Accuracy: 30 roundoffs.
-// Errors:   none.
-// Source:   as unit_from_altitude.
-float airlight_unit_from_upward_cosine(airlight_Atmosphere atmosphere, float altitude, float mu) {
-    float radius = atmosphere.ground_radius;
-    float top = atmosphere.top_altitude;
-    return airlight_share_of(airlight_excess_to_top(radius, top, altitude, mu),
-                             airlight_excess_to_top(radius, top, altitude,
-                                                    airlight_horizon_cosine(radius, altitude)));
-}
-
-// The inverse of unit_from_upward_cosine.
-//
-// Units:    altitude [L]; x [1]; result [1], from the horizon's cosine to 1.
-// Domain:   altitude in [0, top_altitude]; x in [0, 1].
-// Accuracy: 30 roundoffs of 1.
-// Errors:   none.
-// Source:   as unit_from_altitude.
-float airlight_upward_cosine_from_unit(airlight_Atmosphere atmosphere, float altitude, float x) {
-    float radius = atmosphere.ground_radius;
-    float top = atmosphere.top_altitude;
-    float horizon = airlight_horizon_cosine(radius, altitude);
-    float excess = x * airlight_excess_to_top(radius, top, altitude, horizon);
-    return max(airlight_cosine_from_excess(radius, top, altitude, excess), horizon);
-}
-
-// Where a table of transmittances to space is read: x is the direction, y the altitude. Only directions
-// above the horizon have a place.
-//
-// Units:    altitude [L]; mu [1]; width and height in texels; result [1], in [0, 1].
-// Domain:   every altitude and cosine, see table_altitude; below the horizon the horizon's place.
-// Accuracy: 32 roundoffs.
-// Errors:   none.
-// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl; in altitudes.
-vec2 airlight_transmittance_uv(airlight_Atmosphere atmosphere, float altitude, float mu, int width,
-                               int height) {
-    float above = airlight_table_altitude(atmosphere, altitude);
-    return vec2(airlight_texture_from_unit(airlight_unit_from_upward_cosine(atmosphere, above,
-                                                                            airlight_table_cosine(mu)),
-                                                                            width),
-                airlight_texture_from_unit(airlight_unit_from_altitude(atmosphere, above), height));
-}
-
-// The inverse of transmittance_uv. The last column is the horizon to rounding: what fills the table has to
-// ignore the ground.
-//
-// Units:    uv [1]; width and height in texels.
-// Domain:   every uv; width and height >= 1.
-// Accuracy: 32 roundoffs of 1 in mu, 8 in altitude, times the size.
-// Errors:   none.
-// Source:   as transmittance_uv.
-airlight_AltitudeCosine airlight_transmittance_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
-                                                          int height) {
-    float altitude = airlight_altitude_from_unit(atmosphere, airlight_unit_from_texture(uv.y, height));
-    return airlight_AltitudeCosine(altitude,
-                                   airlight_upward_cosine_from_unit(atmosphere, altitude,
-                                                                    airlight_unit_from_texture(uv.x, width)));
-}
-
-// Where a table over the sun's height and the altitude is read, both even: irradiance on the ground and in
-// the air, light that has been scattered many times.
-//
-//     x = (1 + mu_s) / 2,   y = altitude / top_altitude
-//
-// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; result [1], in [0, 1].
-// Domain:   every altitude and cosine, see table_altitude; width and height >= 1.
-// Accuracy: 4 roundoffs.
-// Errors:   none.
-// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl, irradiance; the same in
-//           Hillaire, UnrealEngineSkyAtmosphere (2020), RenderSkyCommon.hlsl, multiple scattering.
-vec2 airlight_altitude_sun_uv(airlight_Atmosphere atmosphere, float altitude, float mu_s, int width,
-                              int height) {
-    float x = 0.5 * (1.0 + airlight_table_cosine(mu_s));
-    float y = airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude);
-    return vec2(airlight_texture_from_unit(x, width), airlight_texture_from_unit(y, height));
-}
-
-// The inverse of altitude_sun_uv.
-//
-// Units:    uv [1]; width and height in texels.
-// Domain:   every uv; width and height >= 1.
-// Accuracy: 4 roundoffs of the size.
-// Errors:   none.
-// Source:   as altitude_sun_uv.
-airlight_AltitudeCosine airlight_altitude_sun_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
-                                                         int height) {
-    return airlight_AltitudeCosine(airlight_unit_from_texture(uv.y, height) * atmosphere.top_altitude,
-                                   2.0 * airlight_unit_from_texture(uv.x, width) - 1.0);
 }
 
 // ---- scattering_mapping -----------------------------------------------------

@@ -4,6 +4,28 @@
 
 #include "airlight/outward_column.glsl"
 
+// The molecules and the aerosol on a line that first comes closer to the centre, from those on its mirror
+// image, which does not; as if the air never ended.
+//
+// Units:    outwards [L], of the mirror image; result [L], without ozone.
+// Domain:   that of LinePoint.
+// Accuracy: that of exponential_from_perigee.
+// Errors:   none; ignores the ground.
+// Source:   exponential_from_perigee.
+airlight_Column airlight_exponentials_through_perigee(airlight_Layers layers, airlight_LinePoint point,
+                                                      airlight_Column outwards) {
+    float half_rayleigh =
+        airlight_exponential_from_perigee(point.perigee_radius, point.perigee_altitude,
+                                          layers.rayleigh_height);
+    float mie = 0.0;
+#if AIRLIGHT_MIE
+    float half_mie =
+        airlight_exponential_from_perigee(point.perigee_radius, point.perigee_altitude, layers.mie_height);
+    mie = max(2.0 * half_mie - outwards.mie, 0.0);
+#endif
+    return airlight_Column(max(2.0 * half_rayleigh - outwards.rayleigh, 0.0), mie, 0.0);
+}
+
 // The molecules and the aerosol from a point to the sun, as if the air never ended.
 //
 // Units:    density [1] at the point; result [L], without ozone.
@@ -13,25 +35,17 @@
 // Source:   exponential_outwards, exponential_from_perigee.
 airlight_Column airlight_exponentials_to_sun(airlight_Layers layers, airlight_LinePoint point, bool sinks,
                                              airlight_Density density) {
-    float rayleigh = airlight_exponential_outwards(point, density.rayleigh, layers.rayleigh_height,
-                                                   layers.rayleigh_root);
+    float rayleigh =
+        airlight_exponential_outwards(point, density.rayleigh, layers.rayleigh_height, layers.rayleigh_root);
     float mie = 0.0;
 #if AIRLIGHT_MIE
     mie = airlight_exponential_outwards(point, density.mie, layers.mie_height, layers.mie_root);
 #endif
+    airlight_Column outwards = airlight_Column(rayleigh, mie, 0.0);
     if (sinks) {
-        float half_rayleigh =
-            airlight_exponential_from_perigee(point.perigee_radius, point.perigee_altitude,
-                                              layers.rayleigh_height);
-        rayleigh = max(2.0 * half_rayleigh - rayleigh, 0.0);
-#if AIRLIGHT_MIE
-        float half_mie =
-            airlight_exponential_from_perigee(point.perigee_radius, point.perigee_altitude,
-                                              layers.mie_height);
-        mie = max(2.0 * half_mie - mie, 0.0);
-#endif
+        return airlight_exponentials_through_perigee(layers, point, outwards);
     }
-    return airlight_Column(rayleigh, mie, 0.0);
+    return outwards;
 }
 
 // The absorbing layer from a point to the sun.

@@ -35,12 +35,15 @@
 #include <airlight/optical_depth.hpp>
 #include <airlight/transmittance.hpp>
 
+#include <airlight/hillaire_table.hpp>
+#include <airlight/table_mapping.hpp>
+#include <airlight/transmittance_table.hpp>
+
 #include <airlight/ambient.hpp>
 #include <airlight/single_scattering.hpp>
 
 #include <airlight/scattering_mapping.hpp>
 #include <airlight/sky_view_mapping.hpp>
-#include <airlight/table_mapping.hpp>
 #include <airlight/table_storage.hpp>
 
 #include <airlight/compose.hpp>

@@ -4,6 +4,28 @@
 
 namespace airlight {
 
+/// The molecules and the aerosol on a line that first comes closer to the centre, from those on its mirror
+/// image, which does not; as if the air never ended.
+///
+/// Units:    outwards [L], of the mirror image; result [L], without ozone.
+/// Domain:   that of LinePoint.
+/// Accuracy: that of exponential_from_perigee.
+/// Errors:   none; ignores the ground.
+/// Source:   exponential_from_perigee.
+template <typename T, typename Scene = DefaultScene>
+inline Column<T> exponentials_through_perigee(const Layers<T>& layers, const LinePoint<T>& point,
+                                              const Column<T>& outwards) {
+    const T half_rayleigh =
+        exponential_from_perigee(point.perigee_radius, point.perigee_altitude, layers.rayleigh_height);
+    T mie = T(0);
+    if constexpr (Scene::mie) {
+        const T half_mie =
+            exponential_from_perigee(point.perigee_radius, point.perigee_altitude, layers.mie_height);
+        mie = glm::max(T(2) * half_mie - outwards.mie, T(0));
+    }
+    return Column<T>{glm::max(T(2) * half_rayleigh - outwards.rayleigh, T(0)), mie, T(0)};
+}
+
 /// The molecules and the aerosol from a point to the sun, as if the air never ended.
 ///
 /// Units:    density [1] at the point; result [L], without ozone.
@@ -14,22 +36,17 @@ namespace airlight {
 template <typename T, typename Scene = DefaultScene>
 inline Column<T> exponentials_to_sun(const Layers<T>& layers, const LinePoint<T>& point, bool sinks,
                                      const Density<T>& density) {
-    T rayleigh = exponential_outwards(point, density.rayleigh, layers.rayleigh_height, layers.rayleigh_root);
+    const T rayleigh =
+        exponential_outwards(point, density.rayleigh, layers.rayleigh_height, layers.rayleigh_root);
     T mie = T(0);
     if constexpr (Scene::mie) {
         mie = exponential_outwards(point, density.mie, layers.mie_height, layers.mie_root);
     }
+    const Column<T> outwards = Column<T>{rayleigh, mie, T(0)};
     if (sinks) {
-        const T half_rayleigh =
-            exponential_from_perigee(point.perigee_radius, point.perigee_altitude, layers.rayleigh_height);
-        rayleigh = glm::max(T(2) * half_rayleigh - rayleigh, T(0));
-        if constexpr (Scene::mie) {
-            const T half_mie =
-                exponential_from_perigee(point.perigee_radius, point.perigee_altitude, layers.mie_height);
-            mie = glm::max(T(2) * half_mie - mie, T(0));
-        }
+        return exponentials_through_perigee<T, Scene>(layers, point, outwards);
     }
-    return Column<T>{rayleigh, mie, T(0)};
+    return outwards;
 }
 
 /// The absorbing layer from a point to the sun.

@@ -18,6 +18,24 @@ vec3<T> transmittance(const Atmosphere<T>& atmosphere, T altitude, T mu, T dista
     return glm::exp(-optical_depth<T, Scene>(atmosphere, altitude, mu, distance));
 }
 
+/// Mean of exp(-x) over a step of optical depth x: (1 - exp(-x)) / x.
+///
+/// Units:    depth [1] and passed = exp(-depth); result [1].
+/// Shape:    depth, passed and the result are spectra.
+/// Domain:   depth >= 0, infinity included.
+/// Accuracy: 2e-6, plus 64 roundoffs.
+/// Errors:   none; 1 where the depth is 0.
+/// Source:   Taylor's series where the difference cancels.
+template <typename T>
+vec3<T> mean_passed(const vec3<T>& depth, const vec3<T>& passed) {
+    const T thin = T(0.03L);
+    const T third = T(0.333333333333333333333333333333333333L);
+    const vec3<T> series = T(1) - T(0.5) * depth * (T(1) - third * depth);
+    return vec3<T>(depth.x < thin ? series.x : (T(1) - passed.x) / depth.x,
+                   depth.y < thin ? series.y : (T(1) - passed.y) / depth.y,
+                   depth.z < thin ? series.z : (T(1) - passed.z) / depth.z);
+}
+
 /// Whether the ground sphere hides a far source from a point.
 ///
 /// Units:    ground_radius and altitude [L]; mu [1], cosine between the source and the vertical.

@@ -59,6 +59,24 @@ TEST_CASE_TEMPLATE("transmittance is exp of minus the optical depth, never the d
     }
 }
 
+TEST_CASE_TEMPLATE("the mean of what passes along a step is what it stops over its depth", T, float, double,
+                   long double) {
+    Random random(113);
+    Worst worst;
+    for (int i = 0; i < 2000; ++i) {
+        const T depth = T(random.log_uniform(1e-12, 1e3));
+        const vec3<T> depths(depth, T(0), T(0.5) * depth);
+        const vec3<T> mean = mean_passed(depths, glm::exp(-depths));
+        const long double expected = -std::expm1(-static_cast<long double>(depth)) / depth;
+        worst.add(compare_relative("mean_passed", {{"depth", depth}}, mean.x, expected));
+        CHECK(mean.y == T(1));  // exact: the series at 0
+    }
+    // The docstring's: the series where it ends, and float's roundoff over a depth of 0.03.
+    CHECK_WORST(worst, 2e-6L + 64 * static_cast<long double>(std::numeric_limits<T>::epsilon()) / 2);
+    const T infinite = std::numeric_limits<T>::infinity();
+    CHECK(mean_passed(vec3<T>(infinite), vec3<T>(T(0))) == vec3<T>(T(0)));  // exact: 1 / infinity
+}
+
 TEST_CASE_TEMPLATE("transmittance is a share for every ray, and less light passes a longer way", T, float,
                    double, long double) {
     Random random(112);

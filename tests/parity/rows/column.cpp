@@ -141,6 +141,15 @@ static const bool optical_depth_row =
         })
         .within_bound();
 
+static const bool mean_passed_row =
+    row("mean_passed")
+        .inputs([](Draw& draw) {
+            const auto depth = draw.spectrum(1e-9F, 1e2F);
+            return std::make_tuple(depth, glm::exp(-depth));
+        })
+        .cpu([](const auto& depth, const auto& passed) { return airlight::mean_passed(depth, passed); })
+        .to_the_bit();
+
 static const bool transmittance_row =
     row("transmittance")
         .inputs(ray)

@@ -128,6 +128,19 @@ static const bool column_outwards_row =
         })
         .to_the_bit();
 
+static const bool exponentials_through_perigee_row =
+    row("exponentials_through_perigee")
+        .inputs([](Draw& draw) {
+            const Place at = place(draw);
+            return std::make_tuple(airlight::layers_of(at.atmosphere), towards_sun(at), draw.column());
+        })
+        .cpu([](auto run, const auto& layers, const auto& point, const auto& outwards) {
+            using R = decltype(run);
+            return airlight::exponentials_through_perigee<typename R::T, typename R::Scene>(layers, point,
+                                                                                            outwards);
+        })
+        .within_bound();
+
 static const bool exponentials_to_sun_row =
     row("exponentials_to_sun")
         .inputs([](Draw& draw) {
