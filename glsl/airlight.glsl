@@ -2767,8 +2767,7 @@ vec3 airlight_sunlight_at(airlight_Atmosphere atmosphere, airlight_Layers layers
 // Domain:   an eye in the air; steps >= 1.
 // Accuracy: second order in the step.
 // Errors:   none; fewer than one step give the ground's light alone.
-// Source:   Hillaire, UnrealEngineSkyAtmosphere (2020), RenderSkyRayMarching.hlsl; his equations 5 to 8 in A
-//           Scalable and Production Ready Sky and Atmosphere Rendering Technique (2020).
+// Source:   Hillaire, UnrealEngineSkyAtmosphere (2020), RenderSkyRayMarching.hlsl.
 airlight_Gathered airlight_gathered_along(airlight_Atmosphere atmosphere, airlight_Layers layers,
                                           airlight_Viewpoint eye, vec3 direction, vec3 to_sun, int steps) {
     float radius = atmosphere.ground_radius;
@@ -2823,7 +2822,7 @@ airlight_Gathered airlight_gathered_along(airlight_Atmosphere atmosphere, airlig
 // Domain:   altitude in [0, top_altitude]; mu_s in [-1, 1]; zeniths, azimuths and steps >= 1.
 // Accuracy: of the method, docs/tables.md; a hundredfold gain of the series is the largest.
 // Errors:   none; no directions give 0.
-// Source:   as gathered_along; equations 9 and 10.
+// Source:   as gathered_along.
 vec3 airlight_hillaire_texel(airlight_Atmosphere atmosphere, float altitude, float mu_s, int zeniths,
                              int azimuths, int steps) {
     airlight_Layers layers = airlight_layers_of(atmosphere);

@@ -75,8 +75,7 @@ vec3<T> sunlight_at(const Atmosphere<T>& atmosphere, const Layers<T>& layers, T 
 /// Domain:   an eye in the air; steps >= 1.
 /// Accuracy: second order in the step.
 /// Errors:   none; fewer than one step give the ground's light alone.
-/// Source:   Hillaire, UnrealEngineSkyAtmosphere (2020), RenderSkyRayMarching.hlsl; his equations 5 to 8 in A
-///           Scalable and Production Ready Sky and Atmosphere Rendering Technique (2020).
+/// Source:   Hillaire, UnrealEngineSkyAtmosphere (2020), RenderSkyRayMarching.hlsl.
 template <typename T, typename Scene = DefaultScene>
 Gathered<T> gathered_along(const Atmosphere<T>& atmosphere, const Layers<T>& layers, const Viewpoint<T>& eye,
                            const vec3<T>& direction, const vec3<T>& to_sun, int steps) {
@@ -131,7 +130,7 @@ Gathered<T> gathered_along(const Atmosphere<T>& atmosphere, const Layers<T>& lay
 /// Domain:   altitude in [0, top_altitude]; mu_s in [-1, 1]; zeniths, azimuths and steps >= 1.
 /// Accuracy: of the method, docs/tables.md; a hundredfold gain of the series is the largest.
 /// Errors:   none; no directions give 0.
-/// Source:   as gathered_along; equations 9 and 10.
+/// Source:   as gathered_along.
 template <typename T, typename Scene = DefaultScene>
 vec3<T> hillaire_texel(const Atmosphere<T>& atmosphere, T altitude, T mu_s, int zeniths, int azimuths,
                        int steps) {

@@ -120,7 +120,7 @@ TEST_CASE("64 directions and 20 steps are Hillaire's; more of both change little
     std::printf(
         "hillaire_texel: 64 directions, 20 steps within %.1f %% of 576 directions, 160 steps by day\n",
         100 * worst);
-    CHECK(worst <= 0.3);
+    CHECK(worst <= 0.25);  // printed: 0.21, low suns seen from 10 km
 }
 
 TEST_CASE("the series gains what it must and no more") {

@@ -52,9 +52,11 @@ static const bool hillaire_texel_row =
     row("hillaire_texel")
         .inputs([](Draw& draw) {
             const auto atmosphere = draw.atmosphere();
-            const float altitude = height_in_air(draw, atmosphere);
-            const float mu_s = draw.grazing_cosine(atmosphere.ground_radius, altitude);
-            const int zeniths = draw.one_of({1, 2, 4});
+            // Not the ground or the top, where every horizontal ray may be in the air or not: gathered_along
+            // has those.
+            const float altitude = draw.number(0.01F, 0.9F) * atmosphere.top_altitude;
+            const float mu_s = draw.number(-0.3F, 1.0F);
+            const int zeniths = draw.one_of({2, 4});
             const int azimuths = draw.one_of({1, 2});
             return std::make_tuple(atmosphere, altitude, mu_s, zeniths, azimuths, draw.one_of({1, 4}));
         })
