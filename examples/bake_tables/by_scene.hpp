@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kinds.hpp"
+#include "places.hpp"
 
 namespace bake_tables {
 
@@ -77,8 +78,7 @@ void bake_on_cpu(Kind& kind, const Bake& bake) {
 template <typename Air>
 using scalar_of = decltype(Air::mie_g);
 
-/// The same for a table whose texels know nothing of each other: texel(scene, atmosphere, uvw, size). Between
-/// the centres of texels, texel() is what the table should be.
+/// The same for a table whose texels know nothing of each other: texel(scene, atmosphere, uvw, size).
 template <typename TexelAt>
 void bake_each_alone(Kind& kind, const TexelAt& texel) {
     bake_on_cpu(kind, [texel](auto scene, const auto& air, const Request& request, const Rows& rows) {
@@ -93,15 +93,33 @@ void bake_each_alone(Kind& kind, const TexelAt& texel) {
             rows);
         return flat(table);
     });
-    kind.exact = [texel](const Request& request, const std::vector<airlight::vec3<double>>& places) {
-        return by_scene<double>(request.preset, [&](auto scene, const auto& air) {
-            std::vector<double> numbers;
-            for (const airlight::vec3<double>& place : places) {
-                append(numbers, texel(scene, air, place, request.size));
+}
+
+/// Gives a kind its comparison: compare(scene, atmosphere, request, look_up, draws, out) for each place.
+template <typename Compare>
+void compare_each(Kind& kind, const Compare& compare) {
+    kind.compare = [compare](const Request& request, const LookUp& look_up, const PlaceChoice& choice) {
+        Compared all;
+        by_scene<double>(request.preset, [&](auto scene, const auto& air) {
+            for (int n = 0; n < choice.count; ++n) {
+                Draws draws(n, choice.sun_elevation);
+                compare(scene, air, request, look_up, draws, all);
             }
-            return numbers;
+            return std::vector<double>();
         });
+        return all;
     };
+}
+
+/// One number a channel: read and exact.
+inline void add(Compared& all, const std::vector<double>& read, const airlight::vec3<double>& exact) {
+    for (int c = 0; c < 3; ++c) {
+        all.read.push_back(read[std::size_t(c)]);
+        all.exact.push_back(exact[c]);
+    }
+}
+inline void add(Compared& all, const airlight::vec3<double>& read, const airlight::vec3<double>& exact) {
+    add(all, std::vector<double>{read.x, read.y, read.z}, exact);
 }
 
 }  // namespace bake_tables

@@ -87,23 +87,34 @@ std::string error_text(const Errors& errors) {
            text("%.2g", errors.largest);
 }
 
-/// What a stored table is off by at the places, relative to the exact number or to a millionth of the
-/// largest.
-Errors errors_of(const StoredNumbers& table, const std::vector<airlight::vec3<double>>& places,
-                 const std::vector<double>& exact) {
+/// Relative to the exact number or to a millionth of the largest.
+Errors errors_of(const Compared& compared) {
     double largest = 0;
-    for (const double number : exact) {
+    for (const double number : compared.exact) {
         largest = std::max(largest, std::fabs(number));
     }
     std::vector<double> errors;
-    for (std::size_t n = 0; n < places.size(); ++n) {
-        const std::vector<double> read = table.at(places[n]);
-        for (std::size_t c = 0; c < read.size(); ++c) {
-            const double number = exact[n * read.size() + c];
-            errors.push_back(std::fabs(read[c] - number) / std::max(std::fabs(number), 1e-6 * largest));
-        }
+    for (std::size_t n = 0; n < compared.exact.size(); ++n) {
+        errors.push_back(std::fabs(compared.read[n] - compared.exact[n]) /
+                         std::max(std::fabs(compared.exact[n]), 1e-6 * largest));
     }
     return summed_up(std::move(errors));
+}
+
+/// A column for each storage: what the table is off by.
+std::string error_columns(const Kind& kind, const Request& request, const Numbers& numbers,
+                          const PlaceChoice& choice) {
+    std::string columns;
+    for (const Storage storage : {Storage::single_float, Storage::half_float, Storage::root_half}) {
+        if (storage == Storage::root_half && kind.may_be_negative) {
+            columns += " - |";
+            continue;
+        }
+        const StoredNumbers table(request.size, kind.channels.size(), numbers, storage);
+        const LookUp look_up = [&](const airlight::vec3<double>& uvw) { return table.at(uvw); };
+        columns += " " + error_text(errors_of(kind.compare(request, look_up, choice))) + " |";
+    }
+    return columns;
 }
 
 /// Half, as it is, and double along every axis that has more than one texel.
@@ -116,23 +127,26 @@ std::vector<support::TableSize> sizes_around(const Kind& kind) {
     return sizes;
 }
 
+const char* const storages = "as float | as half | as half of the square root |\n|---|---|---|---|\n";
+
 std::string error_table(const Kind& kind, const support::Preset& preset) {
-    std::string page = "| texels | as float | as half | as half of the square root |\n|---|---|---|---|\n";
+    std::string page = std::string("| texels | ") + storages;
     for (const support::TableSize& size : sizes_around(kind)) {
         const Request request{preset, size, orders};
-        const std::vector<airlight::vec3<double>> places = kind.places(request, read_places);
-        const std::vector<double> exact = kind.exact(request, places);
         const Numbers numbers = kind.on_cpu(request, Rows(kind.name + " " + size_text(size)));
-        page += "| " + size_text(size);
-        for (const Storage storage : {Storage::single_float, Storage::half_float, Storage::root_half}) {
-            if (storage == Storage::root_half && kind.may_be_negative) {
-                page += " | -";
-                continue;
-            }
-            page += " | " + error_text(errors_of(StoredNumbers(size, kind.channels.size(), numbers, storage),
-                                                 places, exact));
-        }
-        page += " |\n";
+        page += "| " + size_text(size) + " |" + error_columns(kind, request, numbers, {read_places}) + "\n";
+    }
+    return page;
+}
+
+/// Sun by sun: where halves lose the light.
+std::string twilight_table(const Kind& kind, const support::Preset& preset) {
+    const Request request{preset, kind.size, orders};
+    const Numbers numbers = kind.on_cpu(request, Rows(kind.name + " in twilight"));
+    std::string page = std::string("| sun | ") + storages;
+    for (const double elevation : {30.0, 0.0, -3.0, -6.0, -9.0, -12.0}) {
+        page += "| " + text("%g", elevation) + " degrees |" +
+                error_columns(kind, request, numbers, {read_places / 10, elevation}) + "\n";
     }
     return page;
 }
@@ -155,8 +169,11 @@ std::string section(const Kind& kind, const support::Preset& preset, double cpu,
     page += "| bytes | " + byte_text(2 * numbers) + " in half, " + byte_text(4 * numbers) + " in float |\n";
     page += "| baked in | " + time_text(cpu) + " on the CPU, " + time_text(gpu) + " by OpenGL" +
             (kind.has_orders ? ", " + std::to_string(orders) + " orders" : "") + " |\n\n";
-    if (kind.exact) {
+    if (kind.compare) {
         page += error_table(kind, preset) + "\n";
+        if (kind.has_sun) {
+            page += twilight_table(kind, preset) + "\n";
+        }
     }
     if (!kind.remark.empty()) {
         page += kind.remark + "\n\n";

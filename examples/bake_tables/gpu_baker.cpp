@@ -34,22 +34,23 @@ GpuTable GpuBaker::make_table(const support::TableSize& size) const {
     return GpuTable{support::create_table_texture(GL_RGBA32F, size), size};
 }
 
-GLuint GpuBaker::program(const std::string& shader) {
-    const auto known = programs_.find(shader);
+GLuint GpuBaker::program(const std::string& shader, const std::string& defines) {
+    const auto known = programs_.find(shader + defines);
     if (known != programs_.end()) {
         return known->second;
     }
     const std::vector<std::filesystem::path> folders = {BAKE_TABLES_SHADER_FOLDER, AIRLIGHT_GLSL_FOLDER};
     const std::string text = "#version 430 core\n#define AIRLIGHT_OZONE " + std::to_string(preset_.ozone) +
-                             "\n#include \"" + shader + ".comp\"\n";
+                             "\n" + defines + "#include \"" + shader + ".comp\"\n";
     const support::ExpandedGlsl source = support::expand_includes(text, "preamble of " + shader, folders);
-    programs_[shader] = support::link_program({{GL_COMPUTE_SHADER, source.text, source.names}});
-    return programs_[shader];
+    programs_[shader + defines] = support::link_program({{GL_COMPUTE_SHADER, source.text, source.names}});
+    return programs_[shader + defines];
 }
 
 void GpuBaker::pass(const std::string& shader, const std::vector<const GpuTable*>& targets,
-                    const std::vector<Source>& sources, const std::vector<Setting>& settings) {
-    const support::Uniforms uniforms(program(shader));
+                    const std::vector<Source>& sources, const std::vector<Setting>& settings,
+                    const std::string& defines) {
+    const support::Uniforms uniforms(program(shader, defines));
     uniforms.set("atmosphere", in_float(preset_.air));
     const support::TableSize size = targets.front()->size;
     uniforms.set("width", size.width);

@@ -42,8 +42,10 @@ class GpuBaker {
     GpuTable make_table(const support::TableSize& size) const;
 
     /// Runs shaders/<shader>.comp for every texel of the targets, which are of one size; at most two.
+    /// `defines` are lines that go before it.
     void pass(const std::string& shader, const std::vector<const GpuTable*>& targets,
-              const std::vector<Source>& sources = {}, const std::vector<Setting>& settings = {});
+              const std::vector<Source>& sources = {}, const std::vector<Setting>& settings = {},
+              const std::string& defines = "");
 
     /// How many passes there will be, for the progress bar.
     void expect_passes(int passes) const {
@@ -51,7 +53,7 @@ class GpuBaker {
     }
 
   private:
-    GLuint program(const std::string& shader);
+    GLuint program(const std::string& shader, const std::string& defines);
 
     support::Preset preset_;
     Rows rows_;

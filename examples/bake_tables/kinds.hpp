@@ -3,6 +3,7 @@
 // The tables that can be baked: what each holds, and how CPU and GPU fill it.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,21 @@ struct Request {
 
 /// The numbers of a table, channels side by side, x fastest.
 using Numbers = std::vector<float>;
+
+/// Every channel of a stored table at texture coordinates.
+using LookUp = std::function<std::vector<double>(const airlight::vec3<double>&)>;
+
+/// How many places, and under which sun; without one, under all.
+struct PlaceChoice {
+    int count;
+    std::optional<double> sun_elevation = {};  ///< [degrees]
+};
+
+/// What was read from a table, and what it should have been.
+struct Compared {
+    std::vector<double> read;
+    std::vector<double> exact;
+};
 
 struct Kind {
     std::string name;  ///< on the command line, and of the file
@@ -45,10 +61,9 @@ struct Kind {
     std::function<std::vector<double>(const Request&, const Rows&)> in_double = {};
     std::function<Numbers(const Request&, GpuBaker&)> on_gpu = {};
 
-    /// Texture coordinates at which a table of this size is read, as users would read it.
-    std::function<std::vector<airlight::vec3<double>>(const Request&, int count)> places = {};
-    /// What a table without texels, and without rounding, would return there.
-    std::function<std::vector<double>(const Request&, const std::vector<airlight::vec3<double>>&)> exact = {};
+    /// Reads the table as a scene would, see places.hpp.
+    std::function<Compared(const Request&, const LookUp&, const PlaceChoice&)> compare = {};
+    bool has_sun = false;  ///< whether it is worth comparing sun by sun
 };
 
 const std::vector<Kind>& kinds();

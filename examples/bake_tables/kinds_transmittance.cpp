@@ -3,7 +3,6 @@
 
 #include "by_scene.hpp"
 #include "families.hpp"
-#include "places.hpp"
 
 namespace bake_tables {
 namespace {
@@ -37,15 +36,16 @@ Kind transmittance() {
                                                            airlight::no_surface<T>());
     });
     kind.on_gpu = one_pass("transmittance");
-    kind.places = [](const Request& request, int count) {
-        return drawn_places(
-            request, count, [](const auto& air, Draws& draws, const support::TableSize& size) {
-                const double altitude = draws.altitude(air);
-                return vec3<double>(airlight::transmittance_uv(air, altitude, draws.sky_cosine(air, altitude),
-                                                               size.width, size.height),
-                                    0.5);
-            });
-    };
+    compare_each(kind, [](auto scene, const auto& air, const Request& request, const LookUp& look_up,
+                          Draws& draws, Compared& all) {
+        const double altitude = draws.altitude(air);
+        const double mu = draws.sky_cosine(air, altitude);
+        const vec3<double> at(
+            airlight::transmittance_uv(air, altitude, mu, request.size.width, request.size.height), 0.5);
+        add(all, look_up(at),
+            airlight::transmittance<double, decltype(scene)>(air, altitude, mu,
+                                                             airlight::no_surface<double>()));
+    });
     return kind;
 }
 
@@ -64,15 +64,14 @@ Kind extinction() {
         return airlight::transmittance_to_space<T, decltype(scene)>(air, at.altitude, at.mu);
     });
     kind.on_gpu = one_pass("extinction");
-    kind.places = [](const Request& request, int count) {
-        return drawn_places(
-            request, count, [](const auto& air, Draws& draws, const support::TableSize& size) {
-                const double altitude = draws.altitude(air);
-                return vec3<double>(airlight::extinction_uv(air, altitude, draws.sky_cosine(air, altitude),
-                                                            size.width, size.height),
-                                    0.5);
-            });
-    };
+    compare_each(kind, [](auto scene, const auto& air, const Request& request, const LookUp& look_up,
+                          Draws& draws, Compared& all) {
+        const double altitude = draws.altitude(air);
+        const double mu = draws.sky_cosine(air, altitude);
+        const vec3<double> at(
+            airlight::extinction_uv(air, altitude, mu, request.size.width, request.size.height), 0.5);
+        add(all, look_up(at), airlight::transmittance_to_space<double, decltype(scene)>(air, altitude, mu));
+    });
     return kind;
 }
 

@@ -6,21 +6,22 @@
 #include <airlight/table_mapping.hpp>
 #include <cmath>
 #include <cstdint>
-#include <vector>
-
-#include "kinds.hpp"
+#include <optional>
 
 namespace bake_tables {
 
-/// Numbers in [0, 1) that fill the square evenly, always the same ones.
+/// The numbers of one place, even over many places, and the same in every run.
 class Draws {
   public:
-    explicit Draws(int index) : index_(std::uint64_t(index) + 1) {}
+    /// `sun_elevation` in degrees is taken where it is given.
+    Draws(int index, std::optional<double> sun_elevation)
+        : index_(std::uint64_t(index) + 1), sun_elevation_(sun_elevation) {}
 
-    /// The next coordinate of this place, in a low-discrepancy sequence (Kronecker, roots of primes).
+    /// The next coordinate of this place, in [0, 1), in a low-discrepancy sequence (Kronecker, roots of
+    /// primes).
     double unit() {
-        static constexpr int primes[6] = {2, 3, 5, 7, 11, 13};
-        const double x = double(index_) * std::sqrt(double(primes[next_++ % 6]));
+        static constexpr int primes[8] = {2, 3, 5, 7, 11, 13, 17, 19};
+        const double x = double(index_) * std::sqrt(double(primes[next_++ % 8]));
         return x - std::floor(x);
     }
 
@@ -35,23 +36,18 @@ class Draws {
     }
     /// Of a sun between the zenith and 18 degrees below the horizontal, even in the angle.
     double sun_cosine() {
-        return std::cos(unit() * 108.0 * airlight::pi<double> / 180.0);
+        const double degrees = sun_elevation_ ? 90.0 - *sun_elevation_ : 108.0 * unit();
+        return std::cos(degrees * airlight::pi<double> / 180.0);
+    }
+    /// Of the angle over the ground between view and sun, even.
+    double azimuth_cosine() {
+        return std::cos(unit() * airlight::pi<double>);
     }
 
   private:
     std::uint64_t index_;
     int next_ = 0;
+    std::optional<double> sun_elevation_;
 };
-
-/// `count` places, each by place(atmosphere, draws, size).
-template <typename Place>
-std::vector<airlight::vec3<double>> drawn_places(const Request& request, int count, const Place& place) {
-    std::vector<airlight::vec3<double>> places;
-    for (int n = 0; n < count; ++n) {
-        Draws draws(n);
-        places.push_back(place(request.preset.air, draws, request.size));
-    }
-    return places;
-}
 
 }  // namespace bake_tables

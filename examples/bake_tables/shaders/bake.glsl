@@ -14,6 +14,7 @@ uniform int depth;
 uniform int slice;
 uniform airlight_Atmosphere atmosphere;
 
+ivec3 texel_at;  // which texel it is
 vec4 texel(vec3 uvw);
 
 void main() {
@@ -21,6 +22,7 @@ void main() {
     if (at.x >= width || at.y >= height) {
         return;
     }
+    texel_at = at;
     vec3 uvw = vec3((float(at.x) + 0.5) / float(width), (float(at.y) + 0.5) / float(height),
                     (float(at.z) + 0.5) / float(depth));
     imageStore(table, at, texel(uvw));

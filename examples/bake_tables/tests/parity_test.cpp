@@ -48,47 +48,64 @@ long half_steps(float a, float b) {
     return std::labs(place(a) - place(b));
 }
 
-bool same_on_gpu(const Kind& kind, const support::Preset& preset) {
+/// The largest that each channel has, and what float loses of it against double.
+struct Channel {
+    double largest = 0;
+    double float_error = 0;
+};
+
+bool same_on_gpu(const Kind& kind, const support::Preset& preset, bool software) {
     const Request request{preset, small_size(kind), 3};
     const Numbers cpu = kind.on_cpu(request, Rows{});
     const std::vector<double> exact = kind.in_double(request, Rows{});
     GpuBaker baker(preset);
     const Numbers gpu = kind.on_gpu(request, baker);
+    if (gpu.size() != cpu.size()) {
+        std::printf("%s: %zu numbers on the CPU, %zu on the GPU\n", kind.name.c_str(), cpu.size(),
+                    gpu.size());
+        return false;
+    }
 
-    // What roundoff does to this table is what float loses against double. The GPU rounds as often, and its
-    // exp is off by up to 4e-6 of a term (docs/accuracy.md); a texel multiplies at most three of them in an
-    // order.
-    double largest = 0;
-    double float_error = 0;
+    const std::size_t count = kind.channels.size();
+    std::vector<Channel> channels(count);
+    for (std::size_t n = 0; n < exact.size(); ++n) {
+        Channel& channel = channels[n % count];
+        channel.largest = std::max(channel.largest, std::fabs(exact[n]));
+        channel.float_error = std::max(channel.float_error, std::fabs(double(cpu[n]) - exact[n]));
+    }
+    // Software GL computes in the order of C++ but for its exp, which is off by up to 4e-6 of a term
+    // (docs/accuracy.md); a texel multiplies at most three of them in an order. Hardware rounds on its own
+    // too, so that a table may lose as much again as float loses against double, and does not lose alike.
+    const int orders = kind.has_orders ? request.orders : 1;
+    const auto bound = [&](const Channel& channel) {
+        return 3 * 4e-6 * orders * channel.largest + (software ? 0.0 : 4 * channel.float_error);
+    };
+    bool passed = true;
     double worst = 0;
     std::size_t at = 0;
-    for (std::size_t n = 0; n < exact.size(); ++n) {
-        largest = std::max(largest, std::fabs(exact[n]));
-        float_error = std::max(float_error, std::fabs(double(cpu[n]) - exact[n]));
-    }
-    bool halves = true;
     std::size_t other_half = 0;
     for (std::size_t n = 0; n < cpu.size(); ++n) {
         const double off = std::fabs(double(gpu[n]) - double(cpu[n]));
-        if (!(off <= worst)) {
-            worst = off;
+        const double share = off / std::max(bound(channels[n % count]), 1e-30);
+        if (!(share <= worst)) {
+            worst = share;
             at = n;
         }
         // One half or the next: where the floats differ, rounding may part them.
         const float a = support::rounded_to_half(cpu[n]);
         const float b = support::rounded_to_half(gpu[n]);
         other_half += a == b ? 0 : 1;
-        halves = halves && half_steps(a, b) <= 1;
+        passed = passed && half_steps(a, b) <= 1;
     }
-    const int orders = kind.has_orders ? request.orders : 1;
-    const double bound = 4 * float_error + 3 * 4e-6 * orders * largest;
-    const bool passed = gpu.size() == cpu.size() && worst <= bound && halves;
+    passed = passed && worst <= 1;
+    const Channel& channel = channels[at % count];
     std::printf("%-24s%-8s worst %.3g of %.3g (bound %.3g), %zu of %zu halves differ: %s\n",
-                kind.name.c_str(), preset.name.c_str(), worst, largest, bound, other_half, cpu.size(),
-                passed ? "passed" : "FAILED");
+                kind.name.c_str(), preset.name.c_str(), std::fabs(double(gpu[at]) - double(cpu[at])),
+                channel.largest, bound(channel), other_half, cpu.size(), passed ? "passed" : "FAILED");
     if (!passed) {
-        std::printf("    number %zu: CPU %.9g, GPU %.9g, double %.17g\n", at, double(cpu[at]),
-                    double(gpu[at]), exact[at]);
+        std::printf("    %s of texel %zu: CPU %.9g, GPU %.9g, double %.17g\n",
+                    kind.channels[at % count].c_str(), at / count, double(cpu[at]), double(gpu[at]),
+                    exact[at]);
     }
     return passed;
 }
@@ -102,12 +119,13 @@ int main() {
             return support::skipped;
         }
         std::printf("%s\n", context->renderer().c_str());
+        const bool software = context->renderer().find("llvmpipe") != std::string::npos;
         bool passed = true;
         for (const Kind& kind : kinds()) {
             for (const support::Preset& preset : support::presets()) {
                 if (preset.name != "cs562" &&
                     preset.name != "elek") {  // they differ from earth by numbers only
-                    passed = same_on_gpu(kind, preset) && passed;
+                    passed = same_on_gpu(kind, preset, software) && passed;
                 }
             }
         }
