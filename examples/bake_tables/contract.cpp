@@ -17,7 +17,7 @@
 namespace bake_tables {
 namespace {
 
-constexpr int read_places = 20000;
+constexpr int read_places = 4000;
 constexpr int orders = 4;
 
 std::string text(const char* format, double number) {

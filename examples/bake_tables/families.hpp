@@ -9,5 +9,6 @@
 namespace bake_tables {
 
 std::vector<Kind> transmittance_kinds();
+std::vector<Kind> hillaire_kinds();
 
 }  // namespace bake_tables

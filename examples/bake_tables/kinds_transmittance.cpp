@@ -1,5 +1,6 @@
 #include <airlight/table_mapping.hpp>
 #include <airlight/transmittance.hpp>
+#include <airlight/transmittance_table.hpp>
 
 #include "by_scene.hpp"
 #include "families.hpp"
@@ -11,13 +12,48 @@ using airlight::AltitudeCosine;
 using airlight::vec2;
 using airlight::vec3;
 
-/// One pass, one texture of three numbers.
-auto one_pass(const std::string& shader) {
-    return [shader](const Request& request, GpuBaker& gpu) {
+/// One pass, one texture.
+auto one_pass(const std::string& shader, int channels) {
+    return [shader, channels](const Request& request, GpuBaker& gpu) {
         const GpuTable table = gpu.make_table(request.size);
         gpu.pass(shader, {&table});
-        return numbers_of(table, 3);
+        return numbers_of(table, channels);
     };
+}
+
+Kind slants() {
+    Kind kind{
+        "slants",
+        "share of light that reaches space, as what a guess at Chapman's function lacks; ignores the ground",
+        {64, 32, 1},
+        "slant_uv",
+        "by how much the air on a slanted path exceeds slant_guess: of molecules, of aerosol",
+        "1",
+        {"rayleigh", "mie"}};
+    kind.may_be_negative = true;
+    bake_each_alone(kind, [](auto scene, const auto& air, const auto& uvw, const support::TableSize& size) {
+        using T = scalar_of<std::decay_t<decltype(air)>>;
+        const AltitudeCosine<T> at =
+            airlight::slant_parameters(air, vec2<T>(uvw.x, uvw.y), size.width, size.height);
+        return airlight::slant_texel<T, decltype(scene)>(air, at.altitude, at.mu);
+    });
+    kind.on_gpu = one_pass("slants", 2);
+    compare_each(kind, [](auto scene, const auto& air, const Request& request, const LookUp& look_up,
+                          Draws& draws, Compared& all) {
+        const double altitude = draws.altitude(air);
+        const double mu = draws.sky_cosine(air, altitude);
+        const auto slant_table = [&](const vec2<double>& uv) {
+            const std::vector<double> read = look_up(vec3<double>(uv, 0.5));
+            return vec2<double>(read[0], read[1]);
+        };
+        add(all,
+            airlight::transmittance_from_slants<double, decltype(scene)>(
+                air, altitude, mu, request.size.width, request.size.height, slant_table),
+            airlight::transmittance<double, decltype(scene)>(air, altitude, mu,
+                                                             airlight::no_surface<double>()));
+    });
+    kind.remark = "The errors are those of the transmittance, by `transmittance_from_slants`.";
+    return kind;
 }
 
 Kind transmittance() {
@@ -35,7 +71,7 @@ Kind transmittance() {
         return airlight::transmittance<T, decltype(scene)>(air, at.altitude, at.mu,
                                                            airlight::no_surface<T>());
     });
-    kind.on_gpu = one_pass("transmittance");
+    kind.on_gpu = one_pass("transmittance", 3);
     compare_each(kind, [](auto scene, const auto& air, const Request& request, const LookUp& look_up,
                           Draws& draws, Compared& all) {
         const double altitude = draws.altitude(air);
@@ -63,7 +99,7 @@ Kind extinction() {
             airlight::extinction_parameters(air, vec2<T>(uvw.x, uvw.y), size.width, size.height);
         return airlight::transmittance_to_space<T, decltype(scene)>(air, at.altitude, at.mu);
     });
-    kind.on_gpu = one_pass("extinction");
+    kind.on_gpu = one_pass("extinction", 3);
     compare_each(kind, [](auto scene, const auto& air, const Request& request, const LookUp& look_up,
                           Draws& draws, Compared& all) {
         const double altitude = draws.altitude(air);
@@ -78,7 +114,7 @@ Kind extinction() {
 }  // namespace
 
 std::vector<Kind> transmittance_kinds() {
-    return {transmittance(), extinction()};
+    return {slants(), transmittance(), extinction()};
 }
 
 }  // namespace bake_tables
