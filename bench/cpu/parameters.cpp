@@ -103,8 +103,8 @@ const std::map<std::string, std::string> inputs_by_name = {
 
 /// Parameters for which the range of their type is right: scalars and colours in [0, 1].
 const std::set<std::string> inputs_by_type = {
-    "chord_distance", "density", "encoded", "linear", "part", "passed", "screen",
-    "transmittance",  "u",       "upper",   "uv",     "uvw",  "whole"};
+    "chord_distance", "density",       "encoded", "light", "linear", "part", "passed", "screen",
+    "stored",         "transmittance", "u",       "upper", "uv",     "uvw",  "whole"};
 
 /// Structures come from functions that take structures; from here on they are put together member by member.
 constexpr int deepest = 3;

@@ -28,7 +28,8 @@ Texture create_table_texture(GLenum internal_format, const TableSize& size, bool
     }
     glTexParameteri(kind, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+    for (const GLenum axis :
+         {GLenum(GL_TEXTURE_WRAP_S), GLenum(GL_TEXTURE_WRAP_T), GLenum(GL_TEXTURE_WRAP_R)}) {
         glTexParameteri(kind, axis, GL_CLAMP_TO_EDGE);
     }
     return texture;
