@@ -46,5 +46,11 @@
 #include <airlight/sky_view_mapping.hpp>
 #include <airlight/table_storage.hpp>
 
+#include <airlight/diffuse_light.hpp>
+#include <airlight/diffuse_table.hpp>
+#include <airlight/gathered_light.hpp>
+#include <airlight/multiple_scattering.hpp>
+#include <airlight/sky_irradiance.hpp>
+
 #include <airlight/compose.hpp>
 #include <airlight/sun.hpp>

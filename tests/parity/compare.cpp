@@ -195,14 +195,14 @@ RowResult run_row(const Row& row, const Function& function, const Manifest& mani
         if (settings.stop_early && counts && !function.calls.empty()) {
             continue;
         }
-        for (const bool partly_lit : {false, true}) {
+        for (const bool hooked : {false, true}) {
             // With the hook once, in the default scene: flags and hooks do not meet in the code.
-            if (partly_lit && (function.hooks.empty() || scene != 0)) {
+            if (hooked && (function.hooks.empty() || scene != 0)) {
                 continue;
             }
             ++result.scenes;
-            std::string where = scene == 0 && !partly_lit ? "" : scene_name.name;
-            where += partly_lit ? ", shadowed by the visibility hook" : "";
+            std::string where = scene == 0 && !hooked ? "" : scene_name.name;
+            where += hooked ? ", with the tests' hooks" : "";
 
             std::vector<std::vector<float>> inputs;
             std::vector<float> flat;
@@ -217,7 +217,7 @@ RowResult run_row(const Row& row, const Function& function, const Manifest& mani
             std::vector<float> got_plain;
             try {
                 const auto run_compiled = [&](Compiled compiled) {
-                    return run(function_shader(manifest, function, glsl, scene_name, partly_lit, compiled),
+                    return run(function_shader(manifest, function, glsl, scene_name, hooked, compiled),
                                function.file, flat, count, per_result);
                 };
                 got = run_compiled(settings.webgl ? Compiled::webgl : Compiled::pinned);
@@ -230,7 +230,7 @@ RowResult run_row(const Row& row, const Function& function, const Manifest& mani
             }
 
             for (std::size_t i = 0; i < count; ++i) {
-                const Evaluation cpu = row.evaluate(scene, partly_lit, inputs[i]);
+                const Evaluation cpu = row.evaluate(scene, hooked, inputs[i]);
                 ++result.inputs;
                 const bool gpu_decided = !cpu.undecided[gpu];
                 const bool double_decided = !cpu.undecided[precision];

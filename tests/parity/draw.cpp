@@ -162,6 +162,27 @@ airlight::vec3<float> Draw::spectrum(float low, float high) {
     }
 }
 
+airlight::DiffuseLight<float> Draw::diffuse_light() {
+    const airlight::vec3<float> mean = spectrum(1e-9F, 1e2F);
+    const auto moment = [&] { return mean * number(-1.0F, 1.0F, {0.0F}); };
+    const auto vertical = moment();
+    const auto slanted = moment();
+    const auto across = moment();
+    const auto lobe = [&] { return mean * number(0.0F, 4.0F, {1.0F}); };
+    const auto up = lobe();
+    const auto down = lobe();
+    const auto sunward = lobe();
+    const auto away = lobe();
+    const auto aside = lobe();
+    return airlight::DiffuseLight<float>{mean, vertical, slanted, across, up, down, sunward, away, aside};
+}
+
+airlight::SkyIrradiance<float> Draw::sky_irradiance() {
+    const airlight::vec3<float> down = spectrum(1e-9F, 1.0F);
+    const airlight::vec3<float> up = spectrum(1e-9F, 1.0F);
+    return airlight::SkyIrradiance<float>{down, up, (down + up) * number(-1.0F, 1.0F, {0.0F})};
+}
+
 float Draw::aerosol_parameter() {
     return fog_ ? number(5.0F, 50.0F, {0.0F, 4.0F, 60.0F}) : number(-0.95F, 0.95F, {0.0F, 0.76F, 0.8F});
 }

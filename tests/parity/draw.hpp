@@ -5,6 +5,8 @@
 
 #include <airlight/atmosphere.hpp>
 #include <airlight/column.hpp>
+#include <airlight/diffuse_light.hpp>
+#include <airlight/sky_irradiance.hpp>
 #include <airlight/viewpoint.hpp>
 #include <cstddef>
 #include <cstdint>
@@ -54,6 +56,10 @@ class Draw {
     float distance(const airlight::Atmosphere<float>& atmosphere);
     /// The air along a ray: from a metre of each substance to a thousand kilometres, or none of it.
     airlight::Column<float> column();
+
+    /// Light from all sides: from darkness to brighter than the sun's mean, uneven or not.
+    airlight::DiffuseLight<float> diffuse_light();
+    airlight::SkyIrradiance<float> sky_irradiance();
 
     /// A parameter of the aerosol's phase function, or a droplet diameter where the scene has fog.
     float aerosol_parameter();

@@ -42,13 +42,26 @@ enum class Tolerance {
     within_bound,  ///< calls exp, log or pow: error of those times the condition of what follows
 };
 
-/// What a row's call may ask about the run it is part of: Run::T, Run::Scene, and the visibility hook.
-template <typename Scalar, typename SceneType, typename VisibilityType>
+/// The hooks of a run: those that stand in scenes.hpp, or the library's defaults.
+struct TestHooks {
+    using Visibility = PartlyLit;
+    using MultipleScattering = UnevenLight;
+    using GroundIrradiance = LitGround;
+};
+struct DefaultHooks {
+    using Visibility = airlight::AlwaysLit;
+    using MultipleScattering = airlight::NoDiffuseLight;
+    using GroundIrradiance = airlight::DarkSky;
+};
+
+/// What a row's call may ask about the run it is part of: Run::T, Run::Scene, and the hooks.
+template <typename Scalar, typename SceneType, typename Hooks>
 struct Run {
     using T = Scalar;
     using Scene = SceneType;
-    using Visibility = VisibilityType;
-    Visibility visibility{};
+    typename Hooks::Visibility visibility{};
+    typename Hooks::MultipleScattering multiple_scattering{};
+    typename Hooks::GroundIrradiance ground_irradiance{};
 };
 
 /// A row without its types, as the test program handles it.
@@ -62,7 +75,7 @@ struct Row {
     std::string input_signature;   ///< one letter per float: f, i, b
     std::string result_signature;  ///< likewise
     std::function<std::vector<float>(Draw&)> draw;
-    /// Scene number, whether the shadowing hook is on, the flat input.
+    /// Scene number, whether the tests' hooks are on, the flat input.
     std::function<Evaluation(std::size_t, bool, const std::vector<float>&)> evaluate;
 };
 
@@ -93,11 +106,11 @@ Tuple unflat(const std::vector<float>& in) {
     return out;
 }
 
-template <typename T, typename Scene, typename Visibility, typename Call, typename Tuple>
+template <typename T, typename Scene, typename Hooks, typename Call, typename Tuple>
 auto call_in(const Call& call, const Tuple& inputs) {
     return std::apply(
         [&](const auto&... argument) {
-            using R = Run<T, Scene, Visibility>;
+            using R = Run<T, Scene, Hooks>;
             if constexpr (std::is_invocable_v<Call, R, decltype(converted<T>(argument))...>) {
                 return call(R{}, converted<T>(argument)...);
             } else {
@@ -107,13 +120,13 @@ auto call_in(const Call& call, const Tuple& inputs) {
         inputs);
 }
 
-template <typename Scene, typename Visibility, typename Call, typename Tuple>
+template <typename Scene, typename Hooks, typename Call, typename Tuple>
 Evaluation evaluate(const Call& call, const Tuple& inputs) {
     Evaluation out;
-    const auto in_float = call_in<float, Scene, Visibility>(call, inputs);
-    const auto in_double = call_in<double, Scene, Visibility>(call, inputs);
+    const auto in_float = call_in<float, Scene, Hooks>(call, inputs);
+    const auto in_double = call_in<double, Scene, Hooks>(call, inputs);
     undecided_branches() = {};
-    const auto bounded = call_in<Bounded, Scene, Visibility>(call, inputs);
+    const auto bounded = call_in<Bounded, Scene, Hooks>(call, inputs);
     out.undecided = undecided_branches();
     for_each_leaf(in_float, [&](const auto& x) { out.in_float.push_back(static_cast<float>(x)); });
     for_each_leaf(in_double, [&](const auto& x) { out.in_double.push_back(static_cast<double>(x)); });
@@ -132,26 +145,25 @@ template <typename Call, typename Tuple>
 struct takes_run : std::false_type {};
 template <typename Call, typename... A>
 struct takes_run<Call, std::tuple<A...>>
-    : std::is_invocable<Call, Run<float, airlight::DefaultScene, airlight::AlwaysLit>, A...> {};
+    : std::is_invocable<Call, Run<float, airlight::DefaultScene, DefaultHooks>, A...> {};
 
 template <typename Call, typename Tuple, std::size_t... Others>
-Evaluation evaluate_in_scene(std::size_t scene, bool shadowed, const Call& call, const Tuple& inputs,
+Evaluation evaluate_in_scene(std::size_t scene, bool hooked, const Call& call, const Tuple& inputs,
                              std::index_sequence<Others...>) {
     using Default = airlight::DefaultScene;
     if constexpr (takes_run<Call, Tuple>::value) {
-        if (shadowed) {  // in the default scene only, see run_row
-            return evaluate<Default, PartlyLit>(call, inputs);
+        if (hooked) {  // in the default scene only, see run_row
+            return evaluate<Default, TestHooks>(call, inputs);
         }
         Evaluation out;
         const bool other =
             ((scene == Others + 1 &&
-              (out =
-                   evaluate<std::tuple_element_t<Others + 1, SceneTypes>, airlight::AlwaysLit>(call, inputs),
+              (out = evaluate<std::tuple_element_t<Others + 1, SceneTypes>, DefaultHooks>(call, inputs),
                true)) ||
              ...);
-        return other ? out : evaluate<Default, airlight::AlwaysLit>(call, inputs);
+        return other ? out : evaluate<Default, DefaultHooks>(call, inputs);
     } else {
-        return evaluate<Default, airlight::AlwaysLit>(call, inputs);
+        return evaluate<Default, DefaultHooks>(call, inputs);
     }
 }
 
@@ -216,12 +228,11 @@ class RowBuilder {
         const Tuple example{};
         std::apply([&](const auto&... argument) { (append_signature(argument, row.input_signature), ...); },
                    example);
-        using Result =
-            decltype(detail::call_in<float, airlight::DefaultScene, airlight::AlwaysLit>(call, example));
+        using Result = decltype(detail::call_in<float, airlight::DefaultScene, DefaultHooks>(call, example));
         append_signature(Result{}, row.result_signature);
         row.draw = [draw](Draw& d) { return detail::flat(draw(d)); };
-        row.evaluate = [call](std::size_t scene, bool shadowed, const std::vector<float>& in) {
-            return detail::evaluate_in_scene(scene, shadowed, call, detail::unflat<Tuple>(in),
+        row.evaluate = [call](std::size_t scene, bool hooked, const std::vector<float>& in) {
+            return detail::evaluate_in_scene(scene, hooked, call, detail::unflat<Tuple>(in),
                                              std::make_index_sequence<std::tuple_size_v<SceneTypes> - 1>{});
         };
         all_rows().push_back(std::move(row));

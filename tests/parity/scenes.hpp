@@ -1,8 +1,10 @@
 #pragma once
 
 // The scenes in which functions with flags are compared, C++ type and shader defines side by side, and the
-// visibility hook that both sides compile.
+// hooks that both sides compile.
 
+#include <airlight/diffuse_light.hpp>
+#include <airlight/gathered_light.hpp>
 #include <airlight/scene.hpp>
 #include <array>
 #include <cstddef>
@@ -72,12 +74,48 @@ struct PartlyLit {
     }
 };
 
-/// The same hook for a shader, by hand: it plays the part of the user's own code.
-inline const char* const partly_lit_glsl = R"glsl(
+/// Light from all sides that differs in each of its parts.
+struct UnevenLight {
+    template <typename T>
+    airlight::DiffuseLight<T> operator()(T altitude, T mu_s) const {
+        const T strength = (T(2) + mu_s) * (T(10000) / (T(10000) + altitude));
+        const auto colour = [&](T red, T green, T blue) {
+            return strength * airlight::vec3<T>(red, green, blue);
+        };
+        return airlight::DiffuseLight<T>{colour(T(0.5), T(0.75), T(1)),     colour(T(-0.125), T(0), T(0.25)),
+                                         colour(T(0.125), T(0.25), T(0.5)), colour(T(0.25), T(0.125), T(0)),
+                                         colour(T(0.5), T(0.25), T(0.125)), colour(T(0.25), T(0.5), T(0.125)),
+                                         colour(T(2), T(1.5), T(1)),        colour(T(0.25), T(0.25), T(0.5)),
+                                         colour(T(0.5), T(0.75), T(1))};
+    }
+};
+
+/// Irradiance of the ground that rises with the sun.
+struct LitGround {
+    template <typename T>
+    airlight::vec3<T> operator()(T mu_s) const {
+        return (T(1) + mu_s) * airlight::vec3<T>(T(0.125), T(0.25), T(0.5));
+    }
+};
+
+/// The same hooks for a shader, by hand: they play the part of the user's own code.
+inline const char* const hooks_glsl = R"glsl(
 float parity_partly_lit(vec3 position) {
     float reach = abs(position.x) + abs(position.y) + abs(position.z);
     return reach > 0.0 ? clamp(0.5 + (position.x - 0.5 * position.y + 0.25 * position.z) / reach, 0.0, 1.0) : 1.0;
 }
+#define AIRLIGHT_VISIBILITY(position) parity_partly_lit(position)
+
+float parity_strength(float altitude, float mu_s) {
+    return (2.0 + mu_s) * (10000.0 / (10000.0 + altitude));
+}
+#define AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s) airlight_DiffuseLight( \
+    parity_strength(altitude, mu_s) * vec3(0.5, 0.75, 1.0), parity_strength(altitude, mu_s) * vec3(-0.125, 0.0, 0.25), \
+    parity_strength(altitude, mu_s) * vec3(0.125, 0.25, 0.5), parity_strength(altitude, mu_s) * vec3(0.25, 0.125, 0.0), \
+    parity_strength(altitude, mu_s) * vec3(0.5, 0.25, 0.125), parity_strength(altitude, mu_s) * vec3(0.25, 0.5, 0.125), \
+    parity_strength(altitude, mu_s) * vec3(2.0, 1.5, 1.0), parity_strength(altitude, mu_s) * vec3(0.25, 0.25, 0.5), \
+    parity_strength(altitude, mu_s) * vec3(0.5, 0.75, 1.0))
+#define AIRLIGHT_GROUND_IRRADIANCE(mu_s) ((1.0 + (mu_s)) * vec3(0.125, 0.25, 0.5))
 )glsl";
 
 }  // namespace parity

@@ -67,7 +67,7 @@ std::string expanded(const GlslFolder& glsl, const std::string& file) {
 }
 
 std::string function_shader(const Manifest& manifest, const Function& function, const GlslFolder& glsl,
-                            const SceneName& scene, bool partly_lit, Compiled compiled) {
+                            const SceneName& scene, bool hooked, Compiled compiled) {
     std::string inputs;
     for (const Member& parameter : function.parameters) {
         inputs += manifest.signature(parameter.type);
@@ -80,9 +80,8 @@ std::string function_shader(const Manifest& manifest, const Function& function, 
     for (const SceneDefine& define : scene.defines) {
         text += "#define " + define.macro + " " + define.value + "\n";
     }
-    if (partly_lit) {
-        text += partly_lit_glsl;
-        text += "#define AIRLIGHT_VISIBILITY(position) parity_partly_lit(position)\n";
+    if (hooked) {
+        text += hooks_glsl;
     }
     text += expanded(glsl, function.file);
     text += webgl ? "\n" + webgl_textures(inputs.size(), results.size())

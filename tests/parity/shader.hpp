@@ -30,7 +30,7 @@ enum class Compiled { pinned, as_the_driver_likes, webgl };
 
 /// A shader that reads rows of floats, calls `function`, and writes rows of floats.
 std::string function_shader(const Manifest& manifest, const Function& function, const GlslFolder& glsl,
-                            const SceneName& scene, bool partly_lit, Compiled compiled);
+                            const SceneName& scene, bool hooked, Compiled compiled);
 
 /// A compute shader for `out[0] = expression`, where the inputs are called x and y.
 std::string expression_shader(const std::string& expression, bool precise);

@@ -63,8 +63,7 @@ struct Counter {
 void compile_everything(const Manifest& manifest, const GlslFolder& glsl, Counter& counter) {
     std::vector<std::string> files = manifest.files();
     files.push_back("airlight.glsl");
-    const std::string hook =
-        std::string(partly_lit_glsl) + "#define AIRLIGHT_VISIBILITY(position) parity_partly_lit(position)\n";
+    const std::string hook = hooks_glsl;
     const auto compile = [&](const std::string& file, const std::string& version, const std::string& defines,
                              const std::string& text) {
         const std::string log = compile_log(fragment_shader(version, defines, text), false);

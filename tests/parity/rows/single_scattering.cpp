@@ -4,6 +4,8 @@
 #include <airlight/compose.hpp>
 #include <airlight/single_scattering.hpp>
 
+#include "../views.hpp"
+
 namespace parity {
 
 static const bool mie_phase_row =
@@ -15,31 +17,6 @@ static const bool mie_phase_row =
         })
         .within_bound();
 
-/// Atmosphere, eye, direction, sun, distance.
-static auto view(Draw& draw) {
-    const auto atmosphere = draw.atmosphere();
-    const auto eye = draw.viewpoint(atmosphere);
-    const auto direction = draw.view(atmosphere, eye);
-    // Anywhere in the sky, straight up, straight down, along the view ray and against it.
-    const int sun = draw.one_of({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4});
-    const auto to_sun =
-        sun == 0 ? draw.direction_at(eye.up, static_cast<double>(draw.cosine()))
-                 : (sun == 1 ? eye.up : (sun == 2 ? -eye.up : (sun == 3 ? direction : -direction)));
-    return std::make_tuple(atmosphere, eye, direction, to_sun, draw.distance(atmosphere));
-}
-
-/// Atmosphere, a ray that is in its air, eye, direction, sun.
-static auto ray_in_air(Draw& draw) {
-    const auto [atmosphere, eye, direction, to_sun, distance] = view(draw);
-    const auto air = airlight::air_ray(atmosphere, eye, direction, distance);
-    const airlight::Viewpoint<float> on_ground{0.0F, eye.up};
-    return air.in_air ? std::make_tuple(atmosphere, air, eye, direction, to_sun)
-                      : std::make_tuple(
-                            atmosphere,
-                            airlight::air_ray(atmosphere, on_ground, eye.up, airlight::no_surface<float>()),
-                            on_ground, eye.up, to_sun);
-}
-
 static const bool lit_ray_row = row("lit_ray")
                                     .inputs(ray_in_air)
                                     .cpu([](auto run, const auto& atmosphere, const auto& air,
@@ -49,13 +26,6 @@ static const bool lit_ray_row = row("lit_ray")
                                             atmosphere, air, eye, direction, to_sun);
                                     })
                                     .within_bound();
-
-/// Atmosphere, a lit ray, a distance along it.
-static auto point_of_ray(Draw& draw) {
-    const auto inputs = ray_in_air(draw);
-    const auto ray = std::apply([](const auto&... x) { return airlight::lit_ray<float>(x...); }, inputs);
-    return std::make_tuple(std::get<0>(inputs), ray, ray.air.extent * draw.number(0.01F, 1.0F));
-}
 
 static const bool ray_point_row =
     row("ray_point")

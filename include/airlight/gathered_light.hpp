@@ -1,0 +1,138 @@
+#pragma once
+
+#include <airlight/constants.hpp>
+#include <airlight/multiple_scattering.hpp>
+#include <airlight/sky_irradiance.hpp>
+
+namespace airlight {
+
+/// Light that was scattered or reflected, as one point of the air receives it.
+template <typename T>
+struct GatheredLight {
+    DiffuseLight<T> light;        ///< [1/sr] as the air scatters it
+    SkyIrradiance<T> irradiance;  ///< [1] as surfaces receive it
+};
+
+/// Hook: irradiance of the ground by the sky where the cosine between the sun and the vertical is `mu_s`.
+struct DarkSky {
+    template <typename T>
+    vec3<T> operator()([[maybe_unused]] T mu_s) const {
+        return vec3<T>(T(0), T(0), T(0));
+    }
+};
+
+/// Light that arrives at a point from one direction: of the first order, scattered once or straight off the
+/// sunlit ground, or of the next, from the hooks' order before.
+///
+/// Units:    altitude [L]; result [1/sr] per unit of solar irradiance above the air.
+/// Domain:   altitude from 0 to the top; direction and to_sun unit vectors in a frame whose third axis is the
+///           vertical.
+/// Accuracy: that of single_scattering and diffuse_scattering.
+/// Errors:   none.
+/// Source:   the two of them; the ground reflects as Lambert's law says.
+template <typename T, typename Scene = DefaultScene, typename MultipleScattering = NoDiffuseLight,
+          typename GroundIrradiance = DarkSky, typename Visibility = AlwaysLit>
+vec3<T> incoming_light(const Atmosphere<T>& atmosphere, T altitude, const vec3<T>& direction,
+                       const vec3<T>& to_sun, bool first_order,
+                       const MultipleScattering& multiple_scattering = MultipleScattering{},
+                       const GroundIrradiance& ground_irradiance = GroundIrradiance{},
+                       const Visibility& visibility = Visibility{}) {
+    const Viewpoint<T> point = Viewpoint<T>{altitude, vec3<T>(T(0), T(0), T(1))};
+    vec3<T> radiance = vec3<T>(T(0), T(0), T(0));
+    if (first_order) {
+        const Scattered<T> once =
+            single_scattering<T, Scene>(atmosphere, point, direction, to_sun, no_surface<T>(), visibility);
+        radiance = once.radiance;
+    } else {
+        radiance = diffuse_scattering<T, Scene>(atmosphere, point, direction, to_sun, no_surface<T>(),
+                                                multiple_scattering);
+    }
+    const AirRay<T> ray = air_ray(atmosphere, point, direction, no_surface<T>());
+    if (ray.reaches_ground) {
+        const T sun_height =
+            (atmosphere.ground_radius + altitude) * to_sun.z + ray.extent * dot_product(direction, to_sun);
+        const T mu_s = glm::clamp(sun_height / atmosphere.ground_radius, T(-1), T(1));
+        vec3<T> irradiance = vec3<T>(T(0), T(0), T(0));
+        if (first_order) {
+            irradiance = glm::max(mu_s, T(0)) * transmittance_to_space<T, Scene>(atmosphere, T(0), mu_s);
+        } else {
+            irradiance = ground_irradiance(mu_s);
+        }
+        radiance += transmittance<T, Scene>(atmosphere, altitude, direction.z, ray.extent) *
+                    atmosphere.ground_albedo * irradiance / pi<T>;
+    }
+    return radiance;
+}
+
+/// Cosines of the azimuths that gathered_light looks at, those before 90 degrees [1].
+template <typename T>
+inline constexpr T gathered_azimuths[8] = {T(0.99518472667219688624L), T(0.95694033573220886494L),
+                                           T(0.88192126434835502971L), T(0.77301045336273696081L),
+                                           T(0.63439328416364549822L), T(0.47139673682599764856L),
+                                           T(0.29028467725446236764L), T(0.098017140329560601994L)};
+
+/// One texel of one order of the diffuse table: light from 16 azimuths on each side of the sun's, at
+/// Scene::nodes heights above and as many below the horizon.
+///
+/// Order by order: the first from the sun, each next with hooks that return the one before. Their sum is
+/// the table.
+///
+/// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical.
+/// Domain:   altitude from 0 to the top; mu_s in [-1, 1].
+/// Accuracy: docs/tables.md.
+/// Errors:   a sun within 1.7 degrees of the zenith or nadir counts as that far from it.
+/// Source:   the moments' definition, by Gauss's rule in the root of the cosine's distance from the horizon.
+template <typename T, typename Scene = DefaultScene, typename MultipleScattering = NoDiffuseLight,
+          typename GroundIrradiance = DarkSky, typename Visibility = AlwaysLit>
+GatheredLight<T> gathered_light(const Atmosphere<T>& atmosphere, T altitude, T mu_s, bool first_order,
+                                const MultipleScattering& multiple_scattering = MultipleScattering{},
+                                const GroundIrradiance& ground_irradiance = GroundIrradiance{},
+                                const Visibility& visibility = Visibility{}) {
+    const vec3<T> none = vec3<T>(T(0), T(0), T(0));
+    DiffuseLight<T> light = even_light(none);
+    SkyIrradiance<T> irradiance = SkyIrradiance<T>{none, none, none};
+    const T above = glm::max(altitude, T(0));
+    const T sun_cosine = glm::clamp(mu_s, T(-0.99955L), T(0.99955L));
+    const T sun_sine = glm::sqrt((T(1) - sun_cosine) * (T(1) + sun_cosine));
+    const vec3<T> to_sun = vec3<T>(sun_sine, T(0), sun_cosine);
+    const T horizon =
+        -glm::sqrt(above * (T(2) * atmosphere.ground_radius + above)) / (atmosphere.ground_radius + above);
+    const T strength = T(4) * pi<T>;
+    for (int side = 0; side < 2; ++side) {
+        const T width = side == 0 ? T(1) - horizon : -T(1) - horizon;
+        for (int j = 0; j < Scene::nodes; ++j) {
+            const T v = gauss_position<T, Scene>(j);
+            const T z = horizon + width * v * v;
+            const T sine = safe_sqrt((T(1) - z) * (T(1) + z));
+            const T share = gauss_weight<T, Scene>(j) * v * glm::abs(width) * T(0.0625L);
+            for (int k = 0; k < 16; ++k) {
+                const T cosine = k < 8 ? gathered_azimuths<T>[k] : -gathered_azimuths<T>[15 - k];
+                const T x = sine * cosine;
+                const T y = sine * glm::sqrt((T(1) - cosine) * (T(1) + cosine));
+                const vec3<T> arriving =
+                    share * incoming_light<T, Scene>(atmosphere, above, vec3<T>(x, y, z), to_sun, first_order,
+                                                     multiple_scattering, ground_irradiance, visibility);
+                light.mean += arriving;
+                light.vertical += (T(1.5) * z * z - T(0.5)) * arriving;
+                light.slanted += (x * z / sun_sine) * arriving;
+                light.across += ((x * x - y * y) / (sun_sine * sun_sine)) * arriving;
+                irradiance.down += (strength * glm::max(z, T(0))) * arriving;
+                irradiance.up += (strength * glm::max(-z, T(0))) * arriving;
+                irradiance.sunward += (strength * x / sun_sine) * arriving;
+                if constexpr (Scene::mie) {
+                    const T g = atmosphere.mie_g;
+                    light.aerosol_up += (strength * mie_phase<T, Scene>(z, g)) * arriving;
+                    light.aerosol_down += (strength * mie_phase<T, Scene>(-z, g)) * arriving;
+                    light.aerosol_sunward += (strength * mie_phase<T, Scene>(x, g)) * arriving;
+                    light.aerosol_away += (strength * mie_phase<T, Scene>(-x, g)) * arriving;
+                    light.aerosol_aside +=
+                        (T(0.5) * strength * (mie_phase<T, Scene>(y, g) + mie_phase<T, Scene>(-y, g))) *
+                        arriving;
+                }
+            }
+        }
+    }
+    return GatheredLight<T>{light, irradiance};
+}
+
+}  // namespace airlight
