@@ -35,12 +35,21 @@ airlight_DiffuseLight airlight_even_light(vec3 radiance) {
                                  radiance);
 }
 
+// How fast aerosol's light goes over from the horizontal to straight up: the square of the cosine at which
+// it is halfway there, nearly [1].
+const float airlight_aerosol_rise = 0.12;
+// The same straight down, where the dark ground comes close below the horizon [1].
+const float airlight_aerosol_fall = 0.04;
+
+// The square of a sine below which a direction or a sun is too close to the vertical to have a side [1].
+const float airlight_smallest_lean = 1e-6;
+
 // Light from all sides, scattered into one direction by a length of air.
 //
 //     sigma_R (mean + (P_2(z) vertical + 3 x z slanted + 3/4 (x^2 - y^2) across) / 2) + sigma_M aerosol
 //
-// The first is exact for Rayleigh's phase function. Aerosol is interpolated on the horizontal by the square
-// of the cosine to the sun's side, from there to the vertical by the cosine.
+// The first is exact for Rayleigh's phase function. Aerosol is interpolated: on the horizontal by the square
+// of the cosine to the sun's side, from there to the vertical by z^2 (1 + k) / (z^2 + k).
 //
 // Units:    rayleigh and mie [1/L] scattered by the air there; mu and mu_s [1], cosines of the direction and
 //           of the sun to the vertical; cos_theta [1] between direction and sun; result [1/(L sr)].
@@ -59,12 +68,18 @@ vec3 airlight_scattered_diffuse_light(airlight_DiffuseLight light, vec3 rayleigh
                 (0.75 * lean * lean - 0.375 * level) * light.across;
     vec3 molecules = max(light.mean + bent, vec3(0.0, 0.0, 0.0));
 
-    float to_side = level > 0.0 ? min(lean * lean / level, 1.0) : 0.0;
-    float to_sun = lean > 0.0 ? to_side : 0.0;
-    float up = max(mu, 0.0);
-    float down = max(-mu, 0.0);
-    vec3 horizontal = to_sun * light.aerosol_sunward + (to_side - to_sun) * light.aerosol_away +
-                      (1.0 - to_side) * light.aerosol_aside;
+    float blurred = level + airlight_smallest_lean;
+    float sunward = max(lean, 0.0);
+    float away = max(-lean, 0.0);
+    float to_sun = sunward * sunward / blurred;
+    float from_sun = away * away / blurred;
+    vec3 horizontal = to_sun * light.aerosol_sunward + from_sun * light.aerosol_away +
+                      max(1.0 - to_sun - from_sun, 0.0) * light.aerosol_aside;
+
+    float above = max(mu, 0.0);
+    float below = max(-mu, 0.0);
+    float up = above * above * ((1.0 + airlight_aerosol_rise) / (above * above + airlight_aerosol_rise));
+    float down = below * below * ((1.0 + airlight_aerosol_fall) / (below * below + airlight_aerosol_fall));
     vec3 aerosol =
         up * light.aerosol_up + down * light.aerosol_down + max(1.0 - up - down, 0.0) * horizontal;
     return rayleigh * molecules + mie * aerosol;

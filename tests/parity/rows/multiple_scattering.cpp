@@ -36,7 +36,7 @@ static const bool diffuse_scattering_row =
     row("diffuse_scattering")
         .inputs(view)
         .count(4096)
-        .left_out(0.35, 0.1, grazing)
+        .left_out(0.35, 0.2, grazing)
         .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
                 auto distance) {
             using R = decltype(run);

@@ -1,0 +1,132 @@
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <airlight/atmospheres.hpp>
+#include <airlight/multiple_scattering.hpp>
+
+#include "samplers.hpp"
+#include "scenes.hpp"
+#include "story.hpp"
+#include "views.hpp"
+
+using namespace airlight_test;
+using namespace airlight;
+
+namespace {
+
+// The same from all sides and everywhere.
+struct Everywhere {
+    double radiance;
+    template <typename T>
+    DiffuseLight<T> operator()(T, T) const {
+        return even_light(vec3<T>(T(radiance)));
+    }
+};
+
+template <typename T>
+vec3<T> direction_at(double mu) {
+    return vec3<T>(T(std::sqrt((1 - mu) * (1 + mu))), T(0), T(mu));
+}
+
+}  // namespace
+
+TEST_SUITE_BEGIN("multiple_scattering");
+
+TEST_CASE_TEMPLATE(
+    "in even light, air that absorbs nothing shows it as far as it hides what is behind: L (1 - T)", T, float,
+    double) {
+    Atmosphere<T> air = earth<T>();
+    air.mie_absorption = air.ozone_absorption = vec3<T>(T(0));
+    const vec3<T> to_sun = direction_at<T>(0.3);
+    double worst = 0;
+    for (const double altitude : {0.0, 2.0, 5e3, 40e3}) {
+        for (const double mu : {1.0, 0.5, 0.1, 0.02, 0.0, -0.02, -0.5, -1.0}) {
+            const Viewpoint<T> eye{T(altitude), vec3<T>(T(0), T(0), T(1))};
+            const vec3<T> direction = direction_at<T>(mu);
+            const vec3<T> got =
+                diffuse_scattering<T, Nodes<12>>(air, eye, direction, to_sun, no_surface<T>(), Everywhere{2});
+            const Scattered<T> once =
+                single_scattering<T, Nodes<12>>(air, eye, direction, to_sun, no_surface<T>());
+            for (int c = 0; c < 3; ++c) {
+                const double expected = 2 * (1 - static_cast<double>(once.transmittance[c]));
+                worst = std::max(worst, std::fabs(static_cast<double>(got[c]) - expected));
+            }
+        }
+    }
+    INFO("worst error of the radiance " << worst);
+    CHECK(worst <= 2e-3);  // of 12 nodes along the horizon (measured: see INFO)
+}
+
+TEST_CASE("marched and by nodes it is the same light") {
+    const Atmosphere<double> air = earth<double>();
+    for (const double mu : {1.0, 0.3, 0.05, -0.3}) {
+        const Viewpoint<double> eye{1000, vec3<double>(0, 0, 1)};
+        const vec3<double> direction = direction_at<double>(mu);
+        const vec3<double> to_sun = direction_at<double>(-0.1);
+        const vec3<double> nodes = diffuse_scattering<double, Nodes<24>>(air, eye, direction, to_sun,
+                                                                         no_surface<double>(), Everywhere{1});
+        const vec3<double> marched = diffuse_scattering_marched<double>(
+            air, eye, direction, to_sun, no_surface<double>(), 4000, Everywhere{1});
+        for (int c = 0; c < 3; ++c) {
+            CHECK(nodes[c] == doctest::Approx(marched[c]).epsilon(1e-3));  // 4000 steps along the horizon
+        }
+    }
+}
+
+TEST_CASE_TEMPLATE("all scattering is what was scattered once and what was scattered again", T, float,
+                   double) {
+    const Atmosphere<T> air = earth<T>();
+    const Viewpoint<T> eye{T(100), vec3<T>(T(0), T(0), T(1))};
+    const vec3<T> direction = direction_at<T>(0.2);
+    const vec3<T> to_sun = direction_at<T>(0.5);
+    const Scattered<T> all =
+        all_scattering<T>(air, eye, direction, to_sun, no_surface<T>(), Everywhere{0.125}, Shaded{0.5});
+    const Scattered<T> once = single_scattering<T>(air, eye, direction, to_sun, no_surface<T>(), Shaded{0.5});
+    // Exact: the same two calls.
+    CHECK(all.radiance == once.radiance + diffuse_scattering<T>(air, eye, direction, to_sun, no_surface<T>(),
+                                                                Everywhere{0.125}));
+    CHECK(all.transmittance == once.transmittance);
+    CHECK(diffuse_scattering<T>(air, eye, direction, to_sun, no_surface<T>()) == vec3<T>(T(0)));
+}
+
+TEST_CASE_TEMPLATE("the planet's shadow does not end light from all sides", T, float, double) {
+    const Atmosphere<T> air = earth<T>();
+    const Viewpoint<T> eye{T(2), vec3<T>(T(0), T(0), T(1))};
+    const vec3<T> night = direction_at<T>(-0.9);
+    const vec3<T> up(T(0), T(0), T(1));
+    CHECK(single_scattering<T>(air, eye, up, night, no_surface<T>()).radiance.y == T(0));
+    CHECK(diffuse_scattering<T>(air, eye, up, night, no_surface<T>(), Everywhere{1}).y > T(0.05L));
+}
+
+TEST_CASE("light scales with its source and not with the unit of length") {
+    const Atmosphere<double> metres = earth<double>();
+    const Atmosphere<double> units = rescaled(metres, 1024.0);
+    for (const double mu : {0.9, 0.01, -0.4}) {
+        const vec3<double> up(0, 0, 1);
+        const vec3<double> direction = direction_at<double>(mu);
+        const vec3<double> to_sun = direction_at<double>(0.1);
+        const vec3<double> a = diffuse_scattering<double>(metres, {1000, up}, direction, to_sun,
+                                                          no_surface<double>(), Everywhere{1});
+        const vec3<double> b = diffuse_scattering<double>(units, {1024000, up}, direction, to_sun,
+                                                          no_surface<double>(), Everywhere{1});
+        const vec3<double> c = diffuse_scattering<double>(metres, {1000, up}, direction, to_sun,
+                                                          no_surface<double>(), Everywhere{8});
+        for (int k = 0; k < 3; ++k) {
+            CHECK(b[k] == doctest::Approx(a[k]).epsilon(1e-13));  // roots of odd powers of 1024 round
+            CHECK(c[k] == 8 * a[k]);                              // exact: a power of two
+        }
+    }
+}
+
+TEST_CASE_TEMPLATE("without air, without substance and without way nothing is added", T, float, double) {
+    Atmosphere<T> air = earth<T>();
+    const vec3<T> up(T(0), T(0), T(1));
+    const vec3<T> none(T(0));
+    CHECK(diffuse_scattering<T>(air, {T(2), up}, up, up, T(0), Everywhere{1}) == none);
+    CHECK(diffuse_scattering<T>(air, {T(200e3), up}, up, up, no_surface<T>(), Everywhere{1}) == none);
+    CHECK(diffuse_scattering_marched<T>(air, {T(2), up}, up, up, no_surface<T>(), 0, Everywhere{1}) == none);
+    air.rayleigh_scattering = air.mie_scattering = none;
+    CHECK(diffuse_scattering<T>(air, {T(2), up}, up, up, no_surface<T>(), Everywhere{1}) == none);
+}
+
+TEST_SUITE_END();
