@@ -3918,6 +3918,557 @@ vec3 airlight_light_from_stored(vec3 stored) {
     return root * root;
 }
 
+// ---- diffuse_light ----------------------------------------------------------
+
+// Light that comes to a point from all sides, as the air there scatters it: all that a view ray needs to
+// know of it. Everything is symmetric about the vertical plane through the sun.
+//
+// Of molecules, which scatter by a polynomial of the second degree, four moments of the incoming light hold
+// all; they are written so that no azimuth is needed and a sun at the zenith is no special case. Of aerosol,
+// whose lobe is narrow, the scattered light itself is kept towards five sides.
+struct airlight_DiffuseLight {
+    vec3 mean;             // [1/sr] mean radiance over all directions
+    vec3 vertical;         // [1/sr] the mean times (3 z^2 - 1) / 2, z the cosine to the vertical
+    vec3 slanted;          // [1/sr] the mean times x z / s, x the cosine to the sun's side, s the sun's sine
+    vec3 across;           // [1/sr] the mean times (x^2 - y^2) / s^2
+    vec3 aerosol_up;       // [1/sr] what aerosol scatters straight up: the mean times 4 pi phase
+    vec3 aerosol_down;     // [1/sr] straight down
+    vec3 aerosol_sunward;  // [1/sr] horizontally, to the side where the sun is
+    vec3 aerosol_away;     // [1/sr] horizontally, away from the sun
+    vec3 aerosol_aside;    // [1/sr] horizontally, across
+};
+
+// Light that comes evenly from all sides, or is taken for such.
+//
+// Units:    radiance and result [1/sr].
+// Domain:   radiance >= 0.
+// Accuracy: exact.
+// Errors:   none.
+// Source:   all phase functions have the mean 1 / (4 pi).
+airlight_DiffuseLight airlight_even_light(vec3 radiance) {
+    vec3 none = vec3(0.0, 0.0, 0.0);
+    return airlight_DiffuseLight(radiance, none, none, none, radiance, radiance, radiance, radiance,
+                                 radiance);
+}
+
+// How fast aerosol's light goes over from the horizontal to straight up: the square of the cosine at which
+// it is halfway there, nearly [1].
+const float airlight_aerosol_rise = 0.12;
+// The same straight down, where the dark ground comes close below the horizon [1].
+const float airlight_aerosol_fall = 0.04;
+
+// The square of a sine below which a direction or a sun is too close to the vertical to have a side [1].
+const float airlight_smallest_lean = 1e-6;
+
+// Light from all sides, scattered into one direction by a length of air.
+//
+//     sigma_R (mean + (P_2(z) vertical + 3 x z slanted + 3/4 (x^2 - y^2) across) / 2) + sigma_M aerosol
+//
+// The first is exact for Rayleigh's phase function. Aerosol is interpolated: on the horizontal by the square
+// of the cosine to the sun's side, from there to the vertical by z^2 (1 + k) / (z^2 + k).
+//
+// Units:    rayleigh and mie [1/L] scattered by the air there; mu and mu_s [1], cosines of the direction and
+//           of the sun to the vertical; cos_theta [1] between direction and sun; result [1/(L sr)].
+// Shape:    rayleigh, mie and the result are spectra.
+// Domain:   cosines in [-1, 1] that belong to two unit vectors.
+// Accuracy: molecules to rounding; aerosol exact towards the five sides.
+// Errors:   none; never negative.
+// Source:   addition theorem of the Legendre polynomials; docs/theory/diffuse_light.md.
+vec3 airlight_scattered_diffuse_light(airlight_DiffuseLight light, vec3 rayleigh, vec3 mie, float mu,
+                                      float cos_theta, float mu_s) {
+    // x s and (x^2 + y^2) s^2, so that nothing is divided by the sun's sine s.
+    float lean = cos_theta - mu * mu_s;
+    float level = max((1.0 - mu * mu) * (1.0 - mu_s * mu_s), 0.0);
+    vec3 bent = (0.75 * mu * mu - 0.25) * light.vertical +
+                (1.5 * mu * lean) * light.slanted +
+                (0.75 * lean * lean - 0.375 * level) * light.across;
+    vec3 molecules = max(light.mean + bent, vec3(0.0, 0.0, 0.0));
+
+    float blurred = level + airlight_smallest_lean;
+    float sunward = max(lean, 0.0);
+    float away = max(-lean, 0.0);
+    float to_sun = sunward * sunward / blurred;
+    float from_sun = away * away / blurred;
+    vec3 horizontal = to_sun * light.aerosol_sunward + from_sun * light.aerosol_away +
+                      max(1.0 - to_sun - from_sun, 0.0) * light.aerosol_aside;
+
+    float above = max(mu, 0.0);
+    float below = max(-mu, 0.0);
+    float up = above * above * ((1.0 + airlight_aerosol_rise) / (above * above + airlight_aerosol_rise));
+    float down = below * below * ((1.0 + airlight_aerosol_fall) / (below * below + airlight_aerosol_fall));
+    vec3 aerosol =
+        up * light.aerosol_up + down * light.aerosol_down + max(1.0 - up - down, 0.0) * horizontal;
+    return rayleigh * molecules + mie * aerosol;
+}
+
+// ---- sky_irradiance ---------------------------------------------------------
+
+// Irradiance by everything but the sun itself: the sky, and the ground below, without a surface in the way.
+struct airlight_SkyIrradiance {
+    vec3 down;     // [1] on a level surface that faces up, per unit of solar irradiance above the air
+    vec3 up;       // [1] on one that faces down: light off the ground and the air below
+    vec3 sunward;  // [1] what more comes through a wall from the sun's side than from behind, over the
+                   // sun's sine to the vertical
+};
+
+// Irradiance of a surface of any slope by the sky and the ground.
+//
+//     E(n) = (down (1 + n_z) + up (1 - n_z)) / 2 + sunward (n . sun - n_z mu_s) / 2
+//
+// For an open sky: what hides part of it is the caller's, as ambient occlusion.
+//
+// Units:    mu_normal and mu_s [1], cosines of the surface's normal and of the sun to the vertical;
+//           cos_incidence [1] between normal and sun; result [1] per unit of solar irradiance above the air.
+// Shape:    the result is a spectrum.
+// Domain:   cosines in [-1, 1] that belong to two unit vectors.
+// Accuracy: exact for surfaces that face up or down, and where radiance is linear in the direction.
+// Errors:   none; never negative.
+// Source:   the first moments of the radiance, as in Ramamoorthi and Hanrahan's spherical harmonics.
+vec3 airlight_sky_irradiance_on(airlight_SkyIrradiance sky, float mu_normal, float mu_s,
+                                float cos_incidence) {
+    vec3 level = 0.5 * ((1.0 + mu_normal) * sky.down + (1.0 - mu_normal) * sky.up);
+    float lean = cos_incidence - mu_normal * mu_s;
+    return max(level + (0.5 * lean) * sky.sunward, vec3(0.0, 0.0, 0.0));
+}
+
+// ---- diffuse_table ----------------------------------------------------------
+
+// The sun's cosine at which the diffuse table has spent half of each side's width, nearly [1].
+const float airlight_diffuse_table_dusk = 0.15;
+
+// Where the diffuse table is read: x by the sun's height, densest at dusk, y by altitude, densest at the
+// ground.
+//
+//     x = (1 + (1 + c) mu_s / (c + |mu_s|)) / 2,   y = sqrt(altitude / top_altitude),   c =
+//     diffuse_table_dusk
+//
+// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; result [1], in [0, 1].
+// Domain:   every altitude and cosine, see table_altitude; width and height >= 1.
+// Accuracy: 8 roundoffs.
+// Errors:   none.
+// Source:   chosen: light from all sides changes most about sunset and low in the air.
+vec2 airlight_diffuse_table_uv(airlight_Atmosphere atmosphere, float altitude, float mu_s, int width,
+                               int height) {
+    float c = airlight_diffuse_table_dusk;
+    float mu = airlight_table_cosine(mu_s);
+    float x = 0.5 + 0.5 * ((1.0 + c) * mu / (c + abs(mu)));
+    float y = sqrt(airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude));
+    return vec2(airlight_texture_from_unit(x, width), airlight_texture_from_unit(y, height));
+}
+
+// The inverse of diffuse_table_uv.
+//
+// Units:    uv [1]; width and height in texels.
+// Domain:   every uv; width and height >= 1.
+// Accuracy: 16 roundoffs of the size.
+// Errors:   none.
+// Source:   diffuse_table_uv.
+airlight_AltitudeCosine airlight_diffuse_table_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
+                                                          int height) {
+    float c = airlight_diffuse_table_dusk;
+    float x = 2.0 * airlight_unit_from_texture(uv.x, width) - 1.0;
+    float y = airlight_unit_from_texture(uv.y, height);
+    float mu_s = c * x / (1.0 + c - abs(x));
+    return airlight_AltitudeCosine(y * y * atmosphere.top_altitude, clamp(mu_s, -1.0, 1.0));
+}
+
+// The least mean radiance that the diffuse table tells from darkness, and its logarithm [1/sr, 1].
+const float airlight_diffuse_table_dark = 1e-30;
+
+// A spectrum's logarithm, of what is too dark that of diffuse_table_dark.
+//
+// Units:    radiance [1/sr] or [1]; result [1].
+// Domain:   radiance >= 0.
+// Accuracy: that of log.
+// Errors:   none.
+// Source:   none.
+vec3 airlight_log_of_light(vec3 radiance) {
+    float dark = airlight_diffuse_table_dark;
+    return log(max(radiance, vec3(dark, dark, dark)));
+}
+
+// DiffuseLight as seven texels of a texture that may be of half precision: the mean's logarithm, the rest in
+// terms of the mean.
+struct airlight_DiffuseTexels {
+    vec4 mean;      // [1] xyz: log of the mean; w: away, red
+    vec4 vertical;  // [1] xyz: vertical; w: away, green
+    vec4 slanted;   // [1] xyz: slanted; w: away, blue
+    vec4 across;    // [1] xyz: across; w: aside, red
+    vec4 up;        // [1] xyz: aerosol_up; w: aside, green
+    vec4 down;      // [1] xyz: aerosol_down; w: aside, blue
+    vec4 sunward;   // [1] xyz: aerosol_sunward; w: unused
+};
+
+// DiffuseLight to texels.
+//
+// Twilight is a millionth of noon: its logarithm survives half precision and linear filtering, and so do
+// ratios that stay near 1.
+//
+// Units:    light [1/sr]; result [1].
+// Domain:   light of an airlight table, mean >= 0.
+// Accuracy: that of log and a division.
+// Errors:   a mean below diffuse_table_dark counts as dark.
+// Source:   chosen.
+airlight_DiffuseTexels airlight_packed_diffuse_light(airlight_DiffuseLight light) {
+    float dark = airlight_diffuse_table_dark;
+    vec3 mean = airlight_log_of_light(light.mean);
+    vec3 unit = 1.0 / max(light.mean, vec3(dark, dark, dark));
+    vec3 vertical = light.vertical * unit;
+    vec3 slanted = light.slanted * unit;
+    vec3 across = light.across * unit;
+    vec3 up = light.aerosol_up * unit;
+    vec3 down = light.aerosol_down * unit;
+    vec3 sunward = light.aerosol_sunward * unit;
+    vec3 away = light.aerosol_away * unit;
+    vec3 aside = light.aerosol_aside * unit;
+    return airlight_DiffuseTexels(vec4(mean.x, mean.y, mean.z, away.x),
+                                  vec4(vertical.x, vertical.y, vertical.z, away.y),
+                                  vec4(slanted.x, slanted.y, slanted.z, away.z),
+                                  vec4(across.x, across.y, across.z, aside.x),
+                                  vec4(up.x, up.y, up.z, aside.y),
+                                  vec4(down.x, down.y, down.z, aside.z),
+                                  vec4(sunward.x, sunward.y, sunward.z, 0.0));
+}
+
+// The inverse of packed_diffuse_light, also of texels that a texture has interpolated.
+//
+// Units:    texels [1]; result [1/sr].
+// Domain:   texels of packed_diffuse_light or between such.
+// Accuracy: that of exp.
+// Errors:   none.
+// Source:   packed_diffuse_light.
+airlight_DiffuseLight airlight_unpacked_diffuse_light(airlight_DiffuseTexels texels) {
+    vec3 mean = exp(vec3(texels.mean.x, texels.mean.y, texels.mean.z));
+    return airlight_DiffuseLight(mean,
+                                 mean * vec3(texels.vertical.x, texels.vertical.y, texels.vertical.z),
+                                 mean * vec3(texels.slanted.x, texels.slanted.y, texels.slanted.z),
+                                 mean * vec3(texels.across.x, texels.across.y, texels.across.z),
+                                 mean * vec3(texels.up.x, texels.up.y, texels.up.z),
+                                 mean * vec3(texels.down.x, texels.down.y, texels.down.z),
+                                 mean * vec3(texels.sunward.x, texels.sunward.y, texels.sunward.z),
+                                 mean * vec3(texels.mean.w, texels.vertical.w, texels.slanted.w),
+                                 mean * vec3(texels.across.w, texels.up.w, texels.down.w));
+}
+
+// SkyIrradiance as three texels of such a texture.
+struct airlight_IrradianceTexels {
+    vec4 down;     // [1] xyz: log of down
+    vec4 up;       // [1] xyz: log of up
+    vec4 sunward;  // [1] xyz: sunward over down + up
+};
+
+// SkyIrradiance to texels.
+//
+// Units:    sky [1]; result [1].
+// Domain:   sky of an airlight table, down and up >= 0.
+// Accuracy: that of log and a division.
+// Errors:   irradiance below diffuse_table_dark counts as dark.
+// Source:   packed_diffuse_light.
+airlight_IrradianceTexels airlight_packed_sky_irradiance(airlight_SkyIrradiance sky) {
+    float dark = airlight_diffuse_table_dark;
+    vec3 down = airlight_log_of_light(sky.down);
+    vec3 up = airlight_log_of_light(sky.up);
+    vec3 sunward = sky.sunward / max(sky.down + sky.up, vec3(dark, dark, dark));
+    return airlight_IrradianceTexels(vec4(down.x, down.y, down.z, 0.0), vec4(up.x, up.y, up.z, 0.0),
+                                     vec4(sunward.x, sunward.y, sunward.z, 0.0));
+}
+
+// The inverse of packed_sky_irradiance, also of texels that a texture has interpolated.
+//
+// Units:    texels [1]; result [1].
+// Domain:   texels of packed_sky_irradiance or between such.
+// Accuracy: that of exp.
+// Errors:   none.
+// Source:   packed_sky_irradiance.
+airlight_SkyIrradiance airlight_unpacked_sky_irradiance(airlight_IrradianceTexels texels) {
+    vec3 down = exp(vec3(texels.down.x, texels.down.y, texels.down.z));
+    vec3 up = exp(vec3(texels.up.x, texels.up.y, texels.up.z));
+    vec3 sunward = vec3(texels.sunward.x, texels.sunward.y, texels.sunward.z);
+    return airlight_SkyIrradiance(down, up, sunward * (down + up));
+}
+
+// ---- multiple_scattering ----------------------------------------------------
+
+// Hook: light from all sides at an altitude where the cosine between the sun and the vertical is `mu_s`,
+// per unit of solar irradiance above the air.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_MULTIPLE_SCATTERING
+#define AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s) (airlight_even_light(vec3(0.0, 0.0, 0.0)))
+#endif
+
+// Light from all sides that one node of a ray scatters towards the eye, dimmed on its way there.
+//
+// Units:    those of node_radiance; result [1/(L sr)] per unit of solar irradiance above the air.
+// Domain:   that of node_radiance; light is that at the node.
+// Accuracy: that of the columns.
+// Errors:   none; ignores the ground.
+// Source:   Beer's law, scattered_diffuse_light.
+vec3 airlight_node_diffuse_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray,
+                                    airlight_DiffuseLight light, airlight_Column offset, float outwards,
+                                    float altitude, float along, float mu_s, airlight_Density density) {
+    float radius = atmosphere.ground_radius + altitude;
+    airlight_LinePoint on_ray =
+        airlight_line_point(altitude, radius, 1.0 / radius, along, ray.air.perigee_radius,
+                            ray.air.perigee_altitude);
+    airlight_Column beyond = airlight_column_outwards(ray.layers, on_ray, ray.shells, density);
+    vec3 depth = airlight_column_optical_depth(atmosphere, airlight_column_sum(offset, -outwards, beyond));
+    vec3 mie = vec3(0.0, 0.0, 0.0);
+#if AIRLIGHT_MIE
+    mie = atmosphere.mie_scattering * density.mie;
+#endif
+    float mu = clamp(outwards * along / radius, -1.0, 1.0);
+    vec3 source = airlight_scattered_diffuse_light(light, atmosphere.rayleigh_scattering * density.rayleigh,
+                                                   mie, mu, ray.sun.cos_theta, mu_s);
+    return source * exp(-max(depth, vec3(0.0, 0.0, 0.0)));
+}
+
+// Light that had already been scattered, or reflected by the ground, and is scattered into a view ray.
+//
+// Scene::nodes samples on each side of the ray's closest approach to the centre, lit by the sun or not.
+//
+// Units:    those of single_scattering; result [1/sr] per unit of solar irradiance above the air.
+// Domain:   that of single_scattering.
+// Accuracy: docs/tables.md.
+// Errors:   none; no air on the ray gives 0.
+// Source:   the node method of single_scattering, docs/theory/nodes.md.
+vec3 airlight_diffuse_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
+                                 vec3 to_sun, float distance) {
+    vec3 radiance = vec3(0.0, 0.0, 0.0);
+    airlight_AirRay air = airlight_air_ray(atmosphere, eye, direction, distance);
+    if (!air.in_air) {
+        return radiance;
+    }
+    airlight_LitRay ray = airlight_lit_ray(atmosphere, air, eye, direction, to_sun);
+    airlight_NodeFit fit = airlight_node_fit();
+    bool falls = air.along < 0.0;
+    bool climbs = air.along + air.extent > 0.0;
+    airlight_RayPoint here = airlight_ray_point(atmosphere, ray, 0.0);
+    airlight_Column offset = airlight_column_sum(airlight_Column(0.0, 0.0, 0.0), -1.0, here.outwards);
+    float outwards = -1.0;
+    for (int leg = 0; leg < 2; ++leg) {
+        if (leg == 0 ? falls : climbs) {
+            float begin = leg == 1 && falls ? -air.along : 0.0;
+            float end = leg == 0 && climbs ? -air.along : air.extent;
+            if (leg == 1) {
+                if (falls) {
+                    here = airlight_ray_point(atmosphere, ray, begin);
+                }
+                offset = airlight_column_sum(offset, 2.0, here.outwards);
+                outwards = 1.0;
+            }
+            airlight_RayPoint low = here;
+            here = airlight_ray_point(atmosphere, ray, end);
+            airlight_RayPoint high = here;
+            if (leg == 0) {
+                high = low;
+                low = here;
+            }
+            float low_along = abs(air.along + (leg == 0 ? end : begin));
+            float low_radius = atmosphere.ground_radius + low.altitude;
+            float high_radius = atmosphere.ground_radius + high.altitude;
+            float extent = max(end - begin, 0.0);
+            float rise = extent * (2.0 * low_along + extent) / (low_radius + high_radius);
+            float height = max(ray.layers.rayleigh_height, 1e-6 * rise);
+            float depth =
+                airlight_guiding_depth(atmosphere, airlight_column_sum(low.outwards, -1.0, high.outwards));
+            airlight_NodeMap map =
+                airlight_node_map(fit, low_radius, low_along, high_radius, rise, height,
+                                  -outwards * fit.view * depth);
+            for (int j = 0; j < AIRLIGHT_NODES; ++j) {
+                airlight_Node node = airlight_node_at(map, airlight_gauss_position(j));
+                float altitude = low.altitude + node.rise;
+                float sun_height = ray.sun.perigee_height + outwards * node.along * ray.sun.cos_theta;
+                float mu_s = clamp(sun_height / (atmosphere.ground_radius + altitude), -1.0, 1.0);
+                radiance += airlight_gauss_weight(j) * node.stretch *
+                            airlight_node_diffuse_radiance(
+                                atmosphere, ray, AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s), offset,
+                                outwards,
+                                altitude, node.along, mu_s, airlight_layer_density(ray.layers, altitude));
+            }
+        }
+    }
+    return radiance;
+}
+
+// Sunlight scattered into a view ray, however often.
+//
+// What was scattered more than once comes from a hook that knows the light from all sides at a point: a
+// table of DiffuseLight, or any other.
+//
+// Units:    those of single_scattering.
+// Domain:   that of single_scattering.
+// Accuracy: docs/tables.md.
+// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
+// Source:   single_scattering, diffuse_scattering.
+airlight_Scattered airlight_all_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,
+                                           vec3 direction, vec3 to_sun, float distance) {
+    airlight_Scattered once =
+        airlight_single_scattering(atmosphere, eye, direction, to_sun, distance);
+    vec3 again =
+        airlight_diffuse_scattering(atmosphere, eye, direction, to_sun, distance);
+    return airlight_Scattered(once.radiance + again, once.transmittance);
+}
+
+// Light that had already been scattered, or reflected by the ground, and is scattered into a view ray, by
+// `steps` equal steps through the air.
+//
+// Units:    those of diffuse_scattering.
+// Domain:   that of single_scattering_marched.
+// Accuracy: that of single_scattering_marched.
+// Errors:   none; no air on the ray gives 0.
+// Source:   the integral of diffuse_scattering, by the midpoint rule.
+vec3 airlight_diffuse_scattering_marched(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,
+                                         vec3 direction, vec3 to_sun, float distance, int steps) {
+    float radius = atmosphere.ground_radius;
+    vec3 radiance = vec3(0.0, 0.0, 0.0);
+    airlight_AirRay ray = airlight_air_ray(atmosphere, eye, direction, distance);
+    if (!ray.in_air) {
+        return radiance;
+    }
+    float step_length = ray.extent / max(float(steps), 1.0);
+    airlight_SunOverLine sun = airlight_sun_over_line(radius, eye, direction, to_sun);
+    airlight_Column passed = airlight_Column(0.0, 0.0, 0.0);
+    for (int i = 0; i < steps; ++i) {
+        float t = (float(i) + 0.5) * step_length;
+        float altitude = max(airlight_altitude_along_ray(radius, ray.altitude, ray.along, t), 0.0);
+        float inverse_radius = 1.0 / (radius + altitude);
+        float mu_s =
+            clamp((sun.perigee_height + (ray.along + t) * sun.cos_theta) * inverse_radius, -1.0, 1.0);
+        float mu = clamp((ray.along + t) * inverse_radius, -1.0, 1.0);
+        airlight_Density density = airlight_relative_density(atmosphere, altitude);
+        airlight_Column in_step = airlight_Column(density.rayleigh, density.mie, density.ozone);
+        airlight_Column seen_through = airlight_column_sum(passed, 0.5 * step_length, in_step);
+        vec3 mie = vec3(0.0, 0.0, 0.0);
+#if AIRLIGHT_MIE
+        mie = atmosphere.mie_scattering * density.mie;
+#endif
+        vec3 source = airlight_scattered_diffuse_light(AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s),
+                                                       atmosphere.rayleigh_scattering * density.rayleigh, mie,
+                                                       mu, sun.cos_theta, mu_s);
+        radiance +=
+            source * exp(-airlight_column_optical_depth(atmosphere, seen_through)) * step_length;
+        passed = airlight_column_sum(passed, step_length, in_step);
+    }
+    return radiance;
+}
+
+// ---- gathered_light ---------------------------------------------------------
+
+// Hook: irradiance of the ground by the sky where the cosine between the sun and the vertical is `mu_s`.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_GROUND_IRRADIANCE
+#define AIRLIGHT_GROUND_IRRADIANCE(mu_s) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Light that was scattered or reflected, as one point of the air receives it.
+struct airlight_GatheredLight {
+    airlight_DiffuseLight light;        // [1/sr] as the air scatters it
+    airlight_SkyIrradiance irradiance;  // [1] as surfaces receive it
+};
+
+// Light that arrives at a point from one direction: of the first order, scattered once or straight off the
+// sunlit ground, or of the next, from the hooks' order before.
+//
+// Units:    altitude [L]; result [1/sr] per unit of solar irradiance above the air.
+// Domain:   altitude from 0 to the top; direction and to_sun unit vectors in a frame whose third axis is the
+//           vertical.
+// Accuracy: that of single_scattering and diffuse_scattering.
+// Errors:   none.
+// Source:   the two of them; the ground reflects as Lambert's law says.
+vec3 airlight_incoming_light(airlight_Atmosphere atmosphere, float altitude, vec3 direction, vec3 to_sun,
+                             bool first_order) {
+    airlight_Viewpoint point = airlight_Viewpoint(altitude, vec3(0.0, 0.0, 1.0));
+    vec3 radiance = vec3(0.0, 0.0, 0.0);
+    if (first_order) {
+        airlight_Scattered once =
+            airlight_single_scattering(atmosphere, point, direction, to_sun, airlight_no_surface());
+        radiance = once.radiance;
+    } else {
+        radiance = airlight_diffuse_scattering(atmosphere, point, direction, to_sun, airlight_no_surface());
+    }
+    airlight_AirRay ray = airlight_air_ray(atmosphere, point, direction, airlight_no_surface());
+    if (ray.reaches_ground) {
+        float sun_height =
+            (atmosphere.ground_radius + altitude) * to_sun.z + ray.extent * airlight_dot_product(direction,
+                                                                                                 to_sun);
+        float mu_s = clamp(sun_height / atmosphere.ground_radius, -1.0, 1.0);
+        vec3 irradiance = vec3(0.0, 0.0, 0.0);
+        if (first_order) {
+            irradiance = max(mu_s, 0.0) * airlight_transmittance_to_space(atmosphere, 0.0, mu_s);
+        } else {
+            irradiance = AIRLIGHT_GROUND_IRRADIANCE(mu_s);
+        }
+        radiance += airlight_transmittance(atmosphere, altitude, direction.z, ray.extent) *
+                    atmosphere.ground_albedo * irradiance / airlight_pi;
+    }
+    return radiance;
+}
+
+// Cosines of the azimuths that gathered_light looks at, those before 90 degrees [1].
+const float airlight_gathered_azimuths[8] = float[8](0.99518472667219688624, 0.95694033573220886494,
+                                                     0.88192126434835502971, 0.77301045336273696081,
+                                                     0.63439328416364549822, 0.47139673682599764856,
+                                                     0.29028467725446236764, 0.098017140329560601994);
+
+// One texel of one order of the diffuse table: light from 16 azimuths on each side of the sun's, at
+// Scene::nodes heights above and as many below the horizon.
+//
+// Order by order: the first from the sun, each next with hooks that return the one before. Their sum is
+// the table.
+//
+// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical.
+// Domain:   altitude from 0 to the top; mu_s in [-1, 1].
+// Accuracy: docs/tables.md.
+// Errors:   a sun within 1.7 degrees of the zenith or nadir counts as that far from it.
+// Source:   the moments' definition, by Gauss's rule in the root of the cosine's distance from the horizon.
+airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, float altitude, float mu_s,
+                                               bool first_order) {
+    vec3 none = vec3(0.0, 0.0, 0.0);
+    airlight_DiffuseLight light = airlight_even_light(none);
+    airlight_SkyIrradiance irradiance = airlight_SkyIrradiance(none, none, none);
+    float above = max(altitude, 0.0);
+    float sun_cosine = clamp(mu_s, -0.99955, 0.99955);
+    float sun_sine = sqrt((1.0 - sun_cosine) * (1.0 + sun_cosine));
+    vec3 to_sun = vec3(sun_sine, 0.0, sun_cosine);
+    float horizon =
+        -sqrt(above * (2.0 * atmosphere.ground_radius + above)) / (atmosphere.ground_radius + above);
+    float strength = 4.0 * airlight_pi;
+    for (int side = 0; side < 2; ++side) {
+        float width = side == 0 ? 1.0 - horizon : -1.0 - horizon;
+        for (int j = 0; j < AIRLIGHT_NODES; ++j) {
+            float v = airlight_gauss_position(j);
+            float z = horizon + width * v * v;
+            float sine = airlight_safe_sqrt((1.0 - z) * (1.0 + z));
+            float share = airlight_gauss_weight(j) * v * abs(width) * 0.0625;
+            for (int k = 0; k < 16; ++k) {
+                float cosine = k < 8 ? airlight_gathered_azimuths[k] : -airlight_gathered_azimuths[15 - k];
+                float x = sine * cosine;
+                float y = sine * sqrt((1.0 - cosine) * (1.0 + cosine));
+                vec3 arriving =
+                    share * airlight_incoming_light(atmosphere, above, vec3(x, y, z), to_sun, first_order);
+                light.mean += arriving;
+                light.vertical += (1.5 * z * z - 0.5) * arriving;
+                light.slanted += (x * z / sun_sine) * arriving;
+                light.across += ((x * x - y * y) / (sun_sine * sun_sine)) * arriving;
+                irradiance.down += (strength * max(z, 0.0)) * arriving;
+                irradiance.up += (strength * max(-z, 0.0)) * arriving;
+                irradiance.sunward += (strength * x / sun_sine) * arriving;
+#if AIRLIGHT_MIE
+                float g = atmosphere.mie_g;
+                light.aerosol_up += (strength * airlight_mie_phase(z, g)) * arriving;
+                light.aerosol_down += (strength * airlight_mie_phase(-z, g)) * arriving;
+                light.aerosol_sunward += (strength * airlight_mie_phase(x, g)) * arriving;
+                light.aerosol_away += (strength * airlight_mie_phase(-x, g)) * arriving;
+                light.aerosol_aside +=
+                    (0.5 * strength * (airlight_mie_phase(y, g) + airlight_mie_phase(-y, g))) *
+                    arriving;
+#endif
+            }
+        }
+    }
+    return airlight_GatheredLight(light, irradiance);
+}
+
 // ---- compose ----------------------------------------------------------------
 
 // What the eye sees: the surface's light through the air, and the air's own.
