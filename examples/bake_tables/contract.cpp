@@ -19,6 +19,7 @@ namespace {
 
 constexpr int read_places = 4000;
 constexpr int orders = 4;
+constexpr std::size_t most_texels = 1 << 22;  // larger tables are not tried
 
 std::string text(const char* format, double number) {
     char out[64];
@@ -117,12 +118,15 @@ std::string error_columns(const Kind& kind, const Request& request, const Number
     return columns;
 }
 
-/// Half, as it is, and double along every axis that has more than one texel.
+/// A quarter, half, as it is, and double along every axis that has more than one texel.
 std::vector<support::TableSize> sizes_around(const Kind& kind) {
     std::vector<support::TableSize> sizes;
     for (const int quarters : {1, 2, 4, 8}) {
         const auto side = [&](int full) { return full == 1 ? 1 : full * quarters / 4; };
-        sizes.push_back({side(kind.size.width), side(kind.size.height), side(kind.size.depth)});
+        const support::TableSize size{side(kind.size.width), side(kind.size.height), side(kind.size.depth)};
+        if (texel_count(size) <= most_texels && kind.takes_size(size)) {
+            sizes.push_back(size);
+        }
     }
     return sizes;
 }
@@ -132,7 +136,7 @@ const char* const storages = "as float | as half | as half of the square root |\
 std::string error_table(const Kind& kind, const support::Preset& preset) {
     std::string page = std::string("| texels | ") + storages;
     for (const support::TableSize& size : sizes_around(kind)) {
-        const Request request{preset, size, orders};
+        const Request request{preset, size, 1};  // orders are not compared beyond the first
         const Numbers numbers = kind.on_cpu(request, Rows(kind.name + " " + size_text(size)));
         page += "| " + size_text(size) + " |" + error_columns(kind, request, numbers, {read_places}) + "\n";
     }
@@ -141,7 +145,7 @@ std::string error_table(const Kind& kind, const support::Preset& preset) {
 
 /// Sun by sun: where halves lose the light.
 std::string twilight_table(const Kind& kind, const support::Preset& preset) {
-    const Request request{preset, kind.size, orders};
+    const Request request{preset, kind.size, 1};
     const Numbers numbers = kind.on_cpu(request, Rows(kind.name + " in twilight"));
     std::string page = std::string("| sun | ") + storages;
     for (const double elevation : {30.0, 0.0, -3.0, -6.0, -9.0, -12.0}) {
