@@ -123,7 +123,8 @@ std::vector<support::TableSize> sizes_around(const Kind& kind) {
     std::vector<support::TableSize> sizes;
     for (const int quarters : {1, 2, 4, 8}) {
         const auto side = [&](int full) { return full == 1 ? 1 : full * quarters / 4; };
-        const support::TableSize size{side(kind.size.width), side(kind.size.height), side(kind.size.depth)};
+        const support::TableSize size{side(kind.size.width), side(kind.size.height),
+                                      kind.layered ? kind.size.depth : side(kind.size.depth)};
         if (texel_count(size) <= most_texels && kind.takes_size(size)) {
             sizes.push_back(size);
         }

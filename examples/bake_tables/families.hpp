@@ -9,6 +9,7 @@
 namespace bake_tables {
 
 std::vector<Kind> transmittance_kinds();
+std::vector<Kind> diffuse_kinds();
 std::vector<Kind> hillaire_kinds();
 
 }  // namespace bake_tables

@@ -30,8 +30,11 @@ airlight::Atmosphere<float> in_float(const airlight::Atmosphere<double>& a) {
 
 GpuBaker::GpuBaker(const support::Preset& preset, const Rows& rows) : preset_(preset), rows_(rows) {}
 
-GpuTable GpuBaker::make_table(const support::TableSize& size) const {
-    return GpuTable{support::create_table_texture(GL_RGBA32F, size), size};
+GpuTable GpuBaker::make_table(const support::TableSize& size, support::TableShape shape) const {
+    GpuTable table{support::create_table_texture(GL_RGBA32F, size, shape), size, shape};
+    support::upload_table(table.texture, size, {}, 4,
+                          shape);  // zeros: what a driver leaves there is not defined
+    return table;
 }
 
 GLuint GpuBaker::program(const std::string& shader, const std::string& defines) {
@@ -50,6 +53,17 @@ GLuint GpuBaker::program(const std::string& shader, const std::string& defines) 
 void GpuBaker::pass(const std::string& shader, const std::vector<const GpuTable*>& targets,
                     const std::vector<Source>& sources, const std::vector<Setting>& settings,
                     const std::string& defines) {
+    run(shader, targets, sources, settings, defines, targets.front()->size.depth);
+}
+
+void GpuBaker::column_pass(const std::string& shader, const GpuTable& target,
+                           const std::vector<Source>& sources, const std::vector<Setting>& settings) {
+    run(shader, {&target}, sources, settings, "", 1);
+}
+
+void GpuBaker::run(const std::string& shader, const std::vector<const GpuTable*>& targets,
+                   const std::vector<Source>& sources, const std::vector<Setting>& settings,
+                   const std::string& defines, int slices) {
     const support::Uniforms uniforms(program(shader, defines));
     uniforms.set("atmosphere", in_float(preset_.air));
     const support::TableSize size = targets.front()->size;
@@ -65,14 +79,14 @@ void GpuBaker::pass(const std::string& shader, const std::vector<const GpuTable*
     for (std::size_t n = 0; n < sources.size(); ++n) {
         uniforms.set(sources[n].name, int(n));
         glActiveTexture(GLenum(GL_TEXTURE0 + n));
-        glBindTexture(GL_TEXTURE_3D, sources[n].table->texture);
+        glBindTexture(support::table_target(sources[n].table->shape), sources[n].table->texture);
     }
     // Slice by slice, waiting for each: no driver takes the program for stuck, and the bar moves.
-    for (int slice = 0; slice < size.depth; ++slice) {
+    for (int slice = 0; slice < slices; ++slice) {
         uniforms.set("slice", slice);
         glDispatchCompute(groups(size.width), groups(size.height), 1);
         glFinish();
-        rows_.report(std::size_t(slice + 1), std::size_t(size.depth));
+        rows_.report(std::size_t(slice + 1), std::size_t(slices));
     }
     rows_.end_pass();
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
@@ -81,7 +95,7 @@ void GpuBaker::pass(const std::string& shader, const std::vector<const GpuTable*
 }
 
 std::vector<float> numbers_of(const GpuTable& table, int channels) {
-    return support::download_table(table.texture, table.size, channels);
+    return support::download_table(table.texture, table.size, channels, table.shape);
 }
 
 }  // namespace bake_tables

@@ -20,6 +20,7 @@ namespace bake_tables {
 struct GpuTable {
     support::Texture texture;
     support::TableSize size;
+    support::TableShape shape;
 };
 
 /// A texture under the name that a pass has for it.
@@ -39,7 +40,8 @@ class GpuBaker {
   public:
     explicit GpuBaker(const support::Preset& preset, const Rows& rows = Rows{});
 
-    GpuTable make_table(const support::TableSize& size) const;
+    GpuTable make_table(const support::TableSize& size,
+                        support::TableShape shape = support::TableShape::volume) const;
 
     /// Runs shaders/<shader>.comp for every texel of the targets, which are of one size; at most two.
     /// `defines` are lines that go before it.
@@ -47,12 +49,20 @@ class GpuBaker {
               const std::vector<Source>& sources = {}, const std::vector<Setting>& settings = {},
               const std::string& defines = "");
 
+    /// The same, but once for each column of slices: the shader defines BAKE_COLUMN and column(uvw), and
+    /// stores all slices itself. One target, in layers.
+    void column_pass(const std::string& shader, const GpuTable& target, const std::vector<Source>& sources,
+                     const std::vector<Setting>& settings);
+
     /// How many passes there will be, for the progress bar.
     void expect_passes(int passes) const {
         rows_.expect_passes(passes);
     }
 
   private:
+    void run(const std::string& shader, const std::vector<const GpuTable*>& targets,
+             const std::vector<Source>& sources, const std::vector<Setting>& settings,
+             const std::string& defines, int slices);
     GLuint program(const std::string& shader, const std::string& defines);
 
     support::Preset preset_;

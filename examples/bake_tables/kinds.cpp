@@ -9,7 +9,7 @@ namespace bake_tables {
 const std::vector<Kind>& kinds() {
     static const std::vector<Kind> all = [] {
         std::vector<Kind> together;
-        for (const auto& family : {transmittance_kinds(), hillaire_kinds()}) {
+        for (const auto& family : {transmittance_kinds(), hillaire_kinds(), diffuse_kinds()}) {
             together.insert(together.end(), family.begin(), family.end());
         }
         return together;

@@ -51,6 +51,7 @@ struct Kind {
     std::string remark = "";  ///< for the page of contracts
     bool has_orders = false;
     bool may_be_negative = false;
+    bool layered = false;  ///< slices are not filtered into each other, each has a payload of its own
     support::TableSize small_size = {17, 10, 6};  ///< for tests; where size has a 1, so has the test
     std::string size_rule = "";                   ///< what a size has to be, in words
     std::function<bool(const support::TableSize&)> takes_size = [](const support::TableSize&) {

@@ -5,23 +5,30 @@
 namespace support {
 namespace {
 
-GLenum target(bool flat) {
-    return flat ? GL_TEXTURE_2D : GL_TEXTURE_3D;
-}
-
 std::size_t texel_count(const TableSize& size) {
     return std::size_t(size.width) * std::size_t(size.height) * std::size_t(size.depth);
 }
 
 }  // namespace
 
-Texture create_table_texture(GLenum internal_format, const TableSize& size, bool flat) {
+GLenum table_target(TableShape shape) {
+    switch (shape) {
+        case TableShape::flat:
+            return GL_TEXTURE_2D;
+        case TableShape::layers:
+            return GL_TEXTURE_2D_ARRAY;
+        default:
+            return GL_TEXTURE_3D;
+    }
+}
+
+Texture create_table_texture(GLenum internal_format, const TableSize& size, TableShape shape) {
     GLuint name = 0;
     glGenTextures(1, &name);
     Texture texture(name);
-    const GLenum kind = target(flat);
+    const GLenum kind = table_target(shape);
     glBindTexture(kind, name);
-    if (flat) {
+    if (shape == TableShape::flat) {
         glTexStorage2D(kind, 1, internal_format, size.width, size.height);
     } else {
         glTexStorage3D(kind, 1, internal_format, size.width, size.height, size.depth);
@@ -36,25 +43,25 @@ Texture create_table_texture(GLenum internal_format, const TableSize& size, bool
 }
 
 void upload_table(GLuint texture, const TableSize& size, const std::vector<float>& numbers, int channels,
-                  bool flat) {
+                  TableShape shape) {
     std::vector<float> texels(4 * texel_count(size), 0.0F);
     const auto kept = std::size_t(channels);
     for (std::size_t n = 0; n < numbers.size(); ++n) {
         texels[n / kept * 4 + n % kept] = numbers[n];
     }
-    glBindTexture(target(flat), texture);
-    if (flat) {
+    glBindTexture(table_target(shape), texture);
+    if (shape == TableShape::flat) {
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.width, size.height, GL_RGBA, GL_FLOAT, texels.data());
     } else {
-        glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, size.width, size.height, size.depth, GL_RGBA, GL_FLOAT,
-                        texels.data());
+        glTexSubImage3D(table_target(shape), 0, 0, 0, 0, size.width, size.height, size.depth, GL_RGBA,
+                        GL_FLOAT, texels.data());
     }
 }
 
-std::vector<float> download_table(GLuint texture, const TableSize& size, int channels, bool flat) {
+std::vector<float> download_table(GLuint texture, const TableSize& size, int channels, TableShape shape) {
     std::vector<float> texels(4 * texel_count(size));
-    glBindTexture(target(flat), texture);
-    glGetTexImage(target(flat), 0, GL_RGBA, GL_FLOAT, texels.data());
+    glBindTexture(table_target(shape), texture);
+    glGetTexImage(table_target(shape), 0, GL_RGBA, GL_FLOAT, texels.data());
     const auto kept = std::size_t(channels);
     std::vector<float> numbers(kept * texel_count(size));
     for (std::size_t n = 0; n < numbers.size(); ++n) {

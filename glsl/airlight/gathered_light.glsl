@@ -134,4 +134,44 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
     return airlight_GatheredLight(light, irradiance);
 }
 
+// Light of one gathering and a share of another's.
+//
+//     a + share b, member by member
+//
+// Units:    those of a and b; share [1].
+// Domain:   every number.
+// Accuracy: 2 roundoffs of a member's parts.
+// Errors:   none.
+// Source:   none.
+airlight_GatheredLight airlight_sum_of_light(airlight_GatheredLight a, vec3 share, airlight_GatheredLight b) {
+    return airlight_GatheredLight(
+        airlight_DiffuseLight(a.light.mean + share * b.light.mean,
+                              a.light.vertical + share * b.light.vertical,
+                              a.light.slanted + share * b.light.slanted,
+                              a.light.across + share * b.light.across,
+                              a.light.aerosol_up + share * b.light.aerosol_up,
+                              a.light.aerosol_down + share * b.light.aerosol_down,
+                              a.light.aerosol_sunward + share * b.light.aerosol_sunward,
+                              a.light.aerosol_away + share * b.light.aerosol_away,
+                              a.light.aerosol_aside + share * b.light.aerosol_aside),
+        airlight_SkyIrradiance(a.irradiance.down + share * b.irradiance.down,
+                               a.irradiance.up + share * b.irradiance.up,
+                               a.irradiance.sunward + share * b.irradiance.sunward));
+}
+
+// How much the last order counts, so that it stands for all that follow as if each were as much weaker than
+// the one before as it is itself.
+//
+//     1 / (1 - last / before)
+//
+// Units:    before and last in one unit, of the last order and the one before it; result [1].
+// Domain:   before and last >= 0.
+// Accuracy: 3 roundoffs.
+// Errors:   none; from 1 to 20, also where the last order is no weaker than the one before.
+// Source:   sum of a geometric series.
+float airlight_gain_of_last_order(float before, float last) {
+    float ratio = before > 0.0 ? min(last / before, 0.95) : 0.0;
+    return 1.0 / (1.0 - ratio);
+}
+
 #endif

@@ -135,4 +135,44 @@ GatheredLight<T> gathered_light(const Atmosphere<T>& atmosphere, T altitude, T m
     return GatheredLight<T>{light, irradiance};
 }
 
+/// Light of one gathering and a share of another's.
+///
+///     a + share b, member by member
+///
+/// Units:    those of a and b; share [1].
+/// Domain:   every number.
+/// Accuracy: 2 roundoffs of a member's parts.
+/// Errors:   none.
+/// Source:   none.
+template <typename T>
+GatheredLight<T> sum_of_light(const GatheredLight<T>& a, const vec3<T>& share, const GatheredLight<T>& b) {
+    return GatheredLight<T>{
+        DiffuseLight<T>{a.light.mean + share * b.light.mean, a.light.vertical + share * b.light.vertical,
+                        a.light.slanted + share * b.light.slanted, a.light.across + share * b.light.across,
+                        a.light.aerosol_up + share * b.light.aerosol_up,
+                        a.light.aerosol_down + share * b.light.aerosol_down,
+                        a.light.aerosol_sunward + share * b.light.aerosol_sunward,
+                        a.light.aerosol_away + share * b.light.aerosol_away,
+                        a.light.aerosol_aside + share * b.light.aerosol_aside},
+        SkyIrradiance<T>{a.irradiance.down + share * b.irradiance.down,
+                         a.irradiance.up + share * b.irradiance.up,
+                         a.irradiance.sunward + share * b.irradiance.sunward}};
+}
+
+/// How much the last order counts, so that it stands for all that follow as if each were as much weaker than
+/// the one before as it is itself.
+///
+///     1 / (1 - last / before)
+///
+/// Units:    before and last in one unit, of the last order and the one before it; result [1].
+/// Domain:   before and last >= 0.
+/// Accuracy: 3 roundoffs.
+/// Errors:   none; from 1 to 20, also where the last order is no weaker than the one before.
+/// Source:   sum of a geometric series.
+template <typename T>
+T gain_of_last_order(T before, T last) {
+    const T ratio = before > T(0) ? glm::min(last / before, T(0.95L)) : T(0);
+    return T(1) / (T(1) - ratio);
+}
+
 }  // namespace airlight

@@ -102,9 +102,10 @@ bool compare(const std::string& name, GLenum format, const support::TableSize& s
         }
         return texel;
     });
-    const support::Texture texture = support::create_table_texture(format, size, flat);
-    support::upload_table(texture, size, support::numbers_of(table), 4, flat);
-    if (support::download_table(texture, size, 4, flat) != support::numbers_of(table)) {
+    const support::TableShape shape = flat ? support::TableShape::flat : support::TableShape::volume;
+    const support::Texture texture = support::create_table_texture(format, size, shape);
+    support::upload_table(texture, size, support::numbers_of(table), 4, shape);
+    if (support::download_table(texture, size, 4, shape) != support::numbers_of(table)) {
         std::printf("%s: the texture does not hold what was written\n", name.c_str());
         return false;
     }

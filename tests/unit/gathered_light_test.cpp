@@ -99,4 +99,22 @@ TEST_CASE_TEMPLATE("every order is finite and not negative where it has to be, f
     }
 }
 
+TEST_CASE_TEMPLATE("an order that halves counts twice, one that does not fade twenty times", T, float,
+                   double) {
+    CHECK(gain_of_last_order(T(2), T(1)) == T(2));  // exact: halves
+    CHECK(gain_of_last_order(T(1), T(0)) == T(1));
+    CHECK(gain_of_last_order(T(0), T(1)) == T(1));
+    CHECK_WITHIN(compare_ulp("gain_of_last_order", {}, gain_of_last_order(T(1), T(1)), 20.0L),
+                 24.0L);  // 1 - 0.95 leaves 20 roundoffs of 0.95
+}
+
+TEST_CASE("light adds up member by member") {
+    const vec3<double> one(1.0);
+    const GatheredLight<double> a{even_light(one), {one, 2.0 * one, 3.0 * one}};
+    const GatheredLight<double> sum = sum_of_light(a, vec3<double>(0.5, 0.25, 2.0), a);
+    CHECK(sum.light.mean == vec3<double>(1.5, 1.25, 3.0));  // exact: binary fractions
+    CHECK(sum.light.aerosol_aside == vec3<double>(1.5, 1.25, 3.0));
+    CHECK(sum.irradiance.sunward == vec3<double>(4.5, 3.75, 9.0));
+}
+
 TEST_SUITE_END();

@@ -70,33 +70,6 @@ void write_texel(Table<vec4<T>>& texels, int i, int j, const GatheredLight<T>& g
     }
 }
 
-/// a + share b, member by member.
-template <typename T>
-GatheredLight<T> sum_of_light(const GatheredLight<T>& a, const vec3<T>& share, const GatheredLight<T>& b) {
-    const DiffuseLight<T>& p = a.light;
-    const DiffuseLight<T>& q = b.light;
-    return GatheredLight<T>{
-        DiffuseLight<T>{p.mean + share * q.mean, p.vertical + share * q.vertical,
-                        p.slanted + share * q.slanted, p.across + share * q.across,
-                        p.aerosol_up + share * q.aerosol_up, p.aerosol_down + share * q.aerosol_down,
-                        p.aerosol_sunward + share * q.aerosol_sunward,
-                        p.aerosol_away + share * q.aerosol_away, p.aerosol_aside + share * q.aerosol_aside},
-        SkyIrradiance<T>{a.irradiance.down + share * b.irradiance.down,
-                         a.irradiance.up + share * b.irradiance.up,
-                         a.irradiance.sunward + share * b.irradiance.sunward}};
-}
-
-/// What the last order counts, so that it stands for all that follow as if each were as much weaker than the
-/// one before as it is itself.
-template <typename T>
-vec3<T> share_of_last_order(const vec3<T>& before, const vec3<T>& last) {
-    const auto share = [](T previous, T now) {
-        const T ratio = previous > T(0) ? now / previous : T(0);
-        return T(1) / (T(1) - (ratio < T(0.95L) ? ratio : T(0.95L)));
-    };
-    return vec3<T>(share(before.x, last.x), share(before.y, last.y), share(before.z, last.z));
-}
-
 }  // namespace detail
 
 /// Bakes a diffuse table: `orders` of scattering one by one, the rest as a geometric series.
@@ -128,10 +101,13 @@ DiffuseTable<T> bake_diffuse_table(const Atmosphere<T>& atmosphere, int width, i
             }
         });
         for (std::size_t n = 0; n < count; ++n) {
-            const vec3<T> share = order == orders && order > 1
-                                      ? detail::share_of_last_order(last[n].light.mean, next[n].light.mean)
-                                      : vec3<T>(T(1), T(1), T(1));
-            sum[n] = order == 1 ? next[n] : detail::sum_of_light(sum[n], share, next[n]);
+            vec3<T> share(T(1), T(1), T(1));
+            if (order == orders && order > 1) {
+                for (int c = 0; c < 3; ++c) {
+                    share[c] = gain_of_last_order(last[n].light.mean[c], next[n].light.mean[c]);
+                }
+            }
+            sum[n] = order == 1 ? next[n] : sum_of_light(sum[n], share, next[n]);
         }
         last = next;
         const std::vector<GatheredLight<T>>& shown = order == orders ? sum : next;

@@ -49,4 +49,31 @@ static const bool gathered_light_row =
         })
         .within_bound();
 
+static airlight::GatheredLight<float> some_light(Draw& draw) {
+    const auto drawn = [&] { return draw.spectrum(1e-6F, 10.0F); };
+    const airlight::DiffuseLight<float> light{drawn(), drawn(), drawn(), drawn(), drawn(),
+                                              drawn(), drawn(), drawn(), drawn()};
+    return {light, {drawn(), drawn(), drawn()}};
+}
+
+static const bool sum_of_light_row = row("sum_of_light")
+                                         .inputs([](Draw& draw) {
+                                             const auto a = some_light(draw);
+                                             const auto share = draw.spectrum(0.1F, 20.0F);
+                                             return std::make_tuple(a, share, some_light(draw));
+                                         })
+                                         .cpu([](const auto& a, const auto& share, const auto& b) {
+                                             return airlight::sum_of_light(a, share, b);
+                                         })
+                                         .to_the_bit();
+
+static const bool gain_of_last_order_row =
+    row("gain_of_last_order")
+        .inputs([](Draw& draw) {
+            const float before = draw.magnitude(1e-9F, 1.0F, {0.0F});
+            return std::make_tuple(before, draw.number(0.0F, 1.5F, {0.95F, 1.0F}) * before);
+        })
+        .cpu([](auto before, auto last) { return airlight::gain_of_last_order(before, last); })
+        .to_the_bit();
+
 }  // namespace parity
