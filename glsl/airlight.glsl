@@ -3165,18 +3165,17 @@ airlight_NodeMap airlight_piece_map(airlight_Atmosphere atmosphere, airlight_Lit
     return airlight_node_map(fit, low_radius, low_along, high_radius, rise, height, pulled);
 }
 
-// Sunlight scattered towards the eye by a length of air at one node, dimmed on its way to the node and from
-// there to the eye.
+// The share of sunlight that is left after its way to one node of a view ray and from there to the eye.
 //
-// Units:    altitude and along [L] of the node, along never negative; result [1/(L sr)] per unit of solar
-//           irradiance above the air.
+// Units:    altitude and along [L] of the node, along never negative; result [1].
+// Shape:    the result is a spectrum.
 // Domain:   a node of the ray with its density; the column from the eye is offset - outwards times the
 //           node's.
 // Accuracy: that of the columns.
 // Errors:   none; ignores the ground.
 // Source:   Beer's law.
-vec3 airlight_node_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray, airlight_Column offset,
-                            float outwards, float altitude, float along, airlight_Density density) {
+vec3 airlight_node_transmittance(airlight_Atmosphere atmosphere, airlight_LitRay ray, airlight_Column offset,
+                                 float outwards, float altitude, float along, airlight_Density density) {
     float radius = atmosphere.ground_radius + altitude;
     float inverse_radius = 1.0 / radius;
     airlight_LinePoint on_ray =
@@ -3189,11 +3188,25 @@ vec3 airlight_node_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray,
         airlight_column_to_sun(ray.layers, atmosphere.ground_radius, to_sun, sun_height < 0.0, density);
     airlight_Column passed = airlight_column_sum(airlight_column_sum(offset, -outwards, beyond), 1.0, sunlit);
     vec3 depth = airlight_column_optical_depth(atmosphere, passed);
+    return exp(-max(depth, vec3(0.0, 0.0, 0.0)));
+}
+
+// Sunlight scattered towards the eye by a length of air at one node, dimmed on its way to the node and from
+// there to the eye.
+//
+// Units:    altitude and along [L] of the node, along never negative; result [1/(L sr)] per unit of solar
+//           irradiance above the air.
+// Domain:   that of node_transmittance.
+// Accuracy: that of node_transmittance.
+// Errors:   none; ignores the ground.
+// Source:   Beer's law.
+vec3 airlight_node_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray, airlight_Column offset,
+                            float outwards, float altitude, float along, airlight_Density density) {
     vec3 source = ray.rayleigh_source * density.rayleigh;
 #if AIRLIGHT_MIE
     source += ray.mie_source * density.mie;
 #endif
-    return source * exp(-max(depth, vec3(0.0, 0.0, 0.0)));
+    return source * airlight_node_transmittance(atmosphere, ray, offset, outwards, altitude, along, density);
 }
 
 // The most that a ray can scatter towards the eye: all that it takes out of light, spread as the strongest
@@ -4507,6 +4520,628 @@ airlight_GatheredLight airlight_sum_of_light(airlight_GatheredLight a, vec3 shar
 float airlight_gain_of_last_order(float before, float last) {
     float ratio = before > 0.0 ? min(last / before, 0.95) : 0.0;
     return 1.0 / (1.0 - ratio);
+}
+
+// ---- scattering_orders ------------------------------------------------------
+
+// Hook: what a table holds for a ray; the function that calls it says of what.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_ORDER_RADIANCE
+#define AIRLIGHT_ORDER_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Hook: irradiance [1] of level ground under a sun at cosine `mu_s`, by the light that the next order is
+// made from.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_ORDER_IRRADIANCE
+#define AIRLIGHT_ORDER_IRRADIANCE(mu_s) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Hook: incident_light from a direction of sphere_direction, for an altitude and a sun at cosine `mu_s`
+// [1/sr].
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_INCIDENT_LIGHT
+#define AIRLIGHT_INCIDENT_LIGHT(altitude, mu_s, side, polar, azimuth) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Hook: what a table holds for a ray; the function that calls it says of what.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_GATHERED_RAYLEIGH
+#define AIRLIGHT_GATHERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Hook: what a table holds for a ray; the function that calls it says of what.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_GATHERED_MIE
+#define AIRLIGHT_GATHERED_MIE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Light scattered once, twice, ... k times, order by order. Every function here is what one texel of a
+// table holds; the orders before it come in through hooks, so that C++ reads arrays and GLSL textures.
+//
+// A ray is told by five numbers: the altitude of its start, the cosines mu (ray to vertical), mu_s (sun to
+// vertical) and nu (ray to sun), and whether it ends on the ground, which says on what side of the horizon
+// a ray lies that rounding could put on either.
+
+// Light scattered into a ray once, without the phase functions: the share of the sun's irradiance that
+// molecules and aerosol take up along the ray and that would reach its start if all of it turned there.
+struct airlight_InScatter {
+    vec3 rayleigh;  // [1] by molecules
+    vec3 mie;       // [1] by aerosol
+};
+
+// Light gathered from the whole sphere at one point, weighed by the phase functions of the two scatterers.
+struct airlight_PhaseWeighted {
+    vec3 rayleigh;  // [1/sr] that molecules turn into a direction
+    vec3 mie;       // [1/sr] that aerosol turns into it
+};
+
+// The two legs of a ray, down to its closest approach to the centre and up from there.
+struct airlight_RayLegs {
+    float turn;                // [L] from the start to where the legs meet
+    airlight_RayPoint start;   // where the ray starts
+    airlight_RayPoint turned;  // its closest approach, or the end that is nearest to it
+    airlight_RayPoint last;    // where it ends
+};
+
+// A direction of the rule by which light is gathered from the whole sphere. The sun stands at azimuth 0; the
+// direction counts twice, left and right of it.
+struct airlight_SphereDirection {
+    float mu;           // [1] cosine to the vertical
+    float sine;         // [1] of the same angle
+    float cos_azimuth;  // [1] of the angle from the sun's azimuth
+    float sin_azimuth;  // [1] of the same angle, positive
+    float solid_angle;  // [sr] that one of the two stands for
+};
+
+// The stretch of a table's ray inside the air.
+//
+// Units:    lengths in the atmosphere's unit [L]; mu [1].
+// Domain:   altitudes from the ground to the top of the air, others count as the nearer end; mu in [-1, 1].
+// Accuracy: that of air_ray.
+// Errors:   none; a ray that looks up hits no ground, whatever reaches_ground says; one that passes above
+// the
+//           ground and is said to hit it ends at its closest approach.
+// Source:   docs/theory/altitude.md; roots without cancellation as in intersect_ray_sphere.
+airlight_AirRay airlight_table_air_ray(airlight_Atmosphere atmosphere, float altitude, float mu,
+                                       bool reaches_ground) {
+    float radius = atmosphere.ground_radius;
+    float top = atmosphere.top_altitude;
+    float height = clamp(altitude, 0.0, top);
+    float cosine = clamp(mu, -1.0, 1.0);
+    float sine = airlight_safe_sqrt((1.0 - cosine) * (1.0 + cosine));
+    float along = (radius + height) * cosine;
+    float perigee_radius = (radius + height) * sine;
+    float perigee_depth = radius * (cosine * cosine / (1.0 + sine)) - height * sine;
+
+    float half_chord = airlight_safe_sqrt((top + perigee_depth) * (radius + top + perigee_radius));
+    float below_top = (top - height) * (2.0 * radius + top + height);
+    float to_top = along > 0.0 ? below_top / (along + half_chord) : half_chord - along;
+    // A ray that is told to hit the ground and by a rounding does not ends at its closest approach.
+    float root = airlight_safe_sqrt(perigee_depth * (radius + perigee_radius)) - along;
+    float product = height * (2.0 * radius + height);
+    float to_ground = root > 0.0 ? min(product / root, -along) : 0.0;
+    bool stops = reaches_ground && cosine < 0.0;
+    float extent = stops ? to_ground : to_top;
+    return airlight_AirRay(extent > 0.0, stops, 0.0, extent, height, along, perigee_radius, -perigee_depth);
+}
+
+// A table's ray with all that its nodes share, but for the two sources, which are 0: phases and coefficients
+// come later.
+//
+// Units:    lengths in the atmosphere's unit [L]; mu, mu_s and nu [1].
+// Domain:   air is table_air_ray's; mu, mu_s and nu in [-1, 1].
+// Accuracy: that of its parts.
+// Errors:   none.
+// Source:   sun_over_line, layers_of.
+airlight_LitRay airlight_table_lit_ray(airlight_Atmosphere atmosphere, airlight_AirRay air, float mu,
+                                       float mu_s, float nu) {
+    float radius = atmosphere.ground_radius + air.altitude;
+    float cos_theta = clamp(nu, -1.0, 1.0);
+    float perigee_height = radius * (mu_s - mu * cos_theta);
+    airlight_SunOverLine sun =
+        airlight_SunOverLine(cos_theta, (1.0 - cos_theta) * (1.0 + cos_theta), perigee_height);
+    airlight_Layers layers = airlight_layers_of(atmosphere);
+    airlight_Shells shells =
+        airlight_shells_along(layers.ozone, atmosphere.ground_radius, air.perigee_altitude);
+    vec3 nothing = vec3(0.0, 0.0, 0.0);
+    return airlight_LitRay(air, sun, layers, shells, nothing, nothing);
+}
+
+// What a quadrature found, or what there was to find, where that is less.
+//
+// Units:    found and lost [1].
+// Domain:   both >= 0.
+// Accuracy: 1 ulp.
+// Errors:   none; where there was next to nothing, 1.
+// Source:   conservation of energy.
+float airlight_share_found(float found, float lost) {
+    return (lost + airlight_smallest_share) / (max(found, lost) + airlight_smallest_share);
+}
+
+// What keeps absurdly thick layers, which few nodes cannot follow, from making light: less than 1 where a
+// quadrature along a ray found more light lost than the ray can lose.
+//
+// Units:    found and depth [1]; result [1].
+// Shape:    found, depth and the result are spectra.
+// Domain:   all >= 0.
+// Accuracy: that of one_minus_exp.
+// Errors:   none.
+// Source:   conservation of energy.
+vec3 airlight_energy_share(vec3 found, vec3 depth) {
+    return vec3(airlight_share_found(found.x, airlight_one_minus_exp(depth.x)),
+                airlight_share_found(found.y, airlight_one_minus_exp(depth.y)),
+                airlight_share_found(found.z, airlight_one_minus_exp(depth.z)));
+}
+
+// The legs of a ray.
+//
+// Units:    lengths in the atmosphere's unit [L].
+// Domain:   a ray in the air.
+// Accuracy: that of ray_point.
+// Errors:   none; a leg that the ray does not have is empty.
+// Source:   ray_point.
+airlight_RayLegs airlight_ray_legs(airlight_Atmosphere atmosphere, airlight_LitRay ray) {
+    float turn = clamp(-ray.air.along, 0.0, ray.air.extent);
+    return airlight_RayLegs(turn, airlight_ray_point(atmosphere, ray, 0.0),
+                            airlight_ray_point(atmosphere, ray, turn),
+                            airlight_ray_point(atmosphere, ray, ray.air.extent));
+}
+
+// What the air between a ray's start and a point of a leg is counted from: it is this less the point's air
+// outwards where the leg climbs, and plus it where the leg falls.
+//
+// Units:    result [L].
+// Domain:   legs of ray_legs.
+// Accuracy: 3 roundoffs of the largest column.
+// Errors:   none.
+// Source:   column_outwards.
+airlight_Column airlight_leg_offset(airlight_RayLegs legs, bool climbs) {
+    airlight_Column down = airlight_column_sum(airlight_Column(0.0, 0.0, 0.0), -1.0, legs.start.outwards);
+    return airlight_column_sum(down, climbs ? 2.0 : 0.0, legs.turned.outwards);
+}
+
+// The optical depth of a whole ray.
+//
+// Units:    result [1].
+// Shape:    the result is a spectrum.
+// Domain:   legs of ray_legs.
+// Accuracy: that of column_outwards.
+// Errors:   none; rounding below 0 counts as 0.
+// Source:   leg_offset.
+vec3 airlight_depth_of_legs(airlight_Atmosphere atmosphere, airlight_RayLegs legs) {
+    airlight_Column passed = airlight_column_sum(airlight_leg_offset(legs, true), -1.0, legs.last.outwards);
+    return max(airlight_column_optical_depth(atmosphere, passed), vec3(0.0, 0.0, 0.0));
+}
+
+// Light scattered once into a ray, molecules and aerosol apart: the first order of every table.
+//
+//     rayleigh = sigma_R integral of rho_R T(eye, x) T(x, sun) over the lit part of the ray, mie likewise
+//
+// The coefficient stands once and the density inside the integral. Scene::nodes samples in each of up to
+// four pieces: down to the closest approach and up from there, before and behind the planet's shadow, whose
+// edge no fixed number of equal steps would find. 8 nodes are far better than any interpolation in a table.
+//
+// Units:    altitude [L]; mu, mu_s, nu and the result [1].
+// Domain:   altitudes from the ground to the top of the air, others count as the nearer end; mu, mu_s and nu
+//           the cosines of a triangle of directions, rounding past its ends is forgiven.
+// Accuracy: that of single_scattering with as many nodes; a little less where ozone's upper edge is in the
+//           planet's shadow, at which no piece ends.
+// Errors:   none; both parts together never exceed what the ray loses.
+// Source:   the single-scattering integral; node_map. The order's form after Elek, Rendering parametrizable
+//           planetary atmospheres with multiple scattering in real-time (2009).
+airlight_InScatter airlight_single_inscatter(airlight_Atmosphere atmosphere, float altitude, float mu,
+                                             float mu_s, float nu, bool reaches_ground) {
+    vec3 nothing = vec3(0.0, 0.0, 0.0);
+    airlight_AirRay air = airlight_table_air_ray(atmosphere, altitude, mu, reaches_ground);
+    if (!air.in_air) {
+        return airlight_InScatter(nothing, nothing);
+    }
+    airlight_LitRay ray = airlight_table_lit_ray(atmosphere, air, mu, mu_s, nu);
+    float extent = air.extent;
+    airlight_RayLegs legs = airlight_ray_legs(atmosphere, ray);
+    bool sinks = air.along < 0.0;
+    bool climbs = air.along + extent > 0.0;
+    bool darkens = false;
+    float dark_begin = extent;
+    float dark_end = extent;
+#if AIRLIGHT_PLANET_SHADOW
+    airlight_LineSpan dark = airlight_shadow_span(atmosphere.ground_radius, air.perigee_altitude, ray.sun,
+                                                  0.0);
+    darkens = dark.begin < dark.end;
+    if (darkens) {
+        dark_begin = dark.begin - air.along;
+        dark_end = dark.end - air.along;
+    }
+#endif
+
+    vec3 rayleigh = nothing;
+    vec3 mie = nothing;
+    for (int piece = 0; piece < 4; ++piece) {
+        bool falls = piece < 2;
+        bool before = piece == 0 || piece == 2;
+        float leg_begin = falls ? 0.0 : legs.turn;
+        float leg_end = falls ? legs.turn : extent;
+        float begin = before ? leg_begin : max(leg_begin, dark_end);
+        float end = before ? min(leg_end, dark_begin) : leg_end;
+        if ((falls ? sinks : climbs) && (before || darkens) && end > begin) {
+            float outwards = falls ? -1.0 : 1.0;
+            airlight_Column offset = airlight_leg_offset(legs, !falls);
+            airlight_RayPoint low = airlight_ray_point(atmosphere, ray, falls ? end : begin);
+            airlight_RayPoint high = airlight_ray_point(atmosphere, ray, falls ? begin : end);
+            float low_along = abs(air.along + (falls ? end : begin));
+            airlight_NodeMap map =
+                airlight_piece_map(atmosphere, ray, low, high, low_along, end - begin, outwards);
+            for (int j = 0; j < AIRLIGHT_NODES; ++j) {
+                airlight_Node node = airlight_node_at(map, airlight_gauss_position(j));
+                float here = low.altitude + node.rise;
+                airlight_Density density = airlight_layer_density(ray.layers, here);
+                float share = airlight_gauss_weight(j) * node.stretch;
+                vec3 light = airlight_node_transmittance(atmosphere, ray, offset, outwards, here,
+                                                         node.along, density);
+                rayleigh += (share * density.rayleigh) * light;
+                mie += (share * density.mie) * light;
+            }
+        }
+    }
+    rayleigh *= atmosphere.rayleigh_scattering;
+    mie *= atmosphere.mie_scattering;
+    vec3 scale = airlight_energy_share(rayleigh + mie, airlight_depth_of_legs(atmosphere, legs));
+    return airlight_InScatter(rayleigh * scale, mie * scale);
+}
+
+// A direction of the rule by which light is gathered: Scene::nodes polar angles above the horizon and as
+// many below it, close to the horizon where the light changes most, and 32 azimuths.
+//
+//     mu = horizon +- (1 -+ horizon) u^2,   u of Gauss and Legendre
+//
+// Units:    lengths in one unit [L].
+// Domain:   altitude >= 0; side 0 for the sky, 1 for the ground; polar from 0 to Scene::nodes - 1, from the
+//           horizon on; azimuth from 0 to 15.
+// Accuracy: 4 ulp; all solid angles together 4 pi.
+// Errors:   none in the domain.
+// Source:   Gauss-Legendre quadrature after a change of variable; equal steps on a circle.
+airlight_SphereDirection airlight_sphere_direction(float ground_radius, float altitude, int side, int polar,
+                                                   int azimuth) {
+    float horizon = max(airlight_horizon_cosine(ground_radius, altitude), -1.0);
+    float u = airlight_gauss_position(polar);
+    float reach = side == 0 ? 1.0 - horizon : 1.0 + horizon;
+    float mu = side == 0 ? horizon + reach * (u * u) : horizon - reach * (u * u);
+    float sine = airlight_safe_sqrt((1.0 - mu) * (1.0 + mu));
+    float cosine = azimuth < 8 ? airlight_gathered_azimuths[azimuth] : -airlight_gathered_azimuths[15 - azimuth];
+    float across = azimuth < 8 ? airlight_gathered_azimuths[7 - azimuth] : airlight_gathered_azimuths[azimuth - 8];
+    float solid_angle = airlight_gauss_weight(polar) * u * reach * (airlight_pi * 0.125);
+    return airlight_SphereDirection(mu, sine, cosine, across, solid_angle);
+}
+
+// Light from one direction of sphere_direction, of one order: through the air, and off the ground.
+//
+// Units:    altitude [L]; mu_s [1]; result [1/sr]. order_radiance is what the air adds to a ray [1/sr],
+//           order_irradiance what falls on the ground by the same order [1].
+// Domain:   altitudes inside the air; that of sphere_direction.
+// Accuracy: that of the hooks.
+// Errors:   none.
+// Source:   Bruneton and Neyret, Precomputed atmospheric scattering (2008); a ground of Lambert.
+vec3 airlight_incident_light(airlight_Atmosphere atmosphere, float altitude, float mu_s, int side, int polar,
+                             int azimuth) {
+    float height = clamp(altitude, 0.0, atmosphere.top_altitude);
+    airlight_SphereDirection direction =
+        airlight_sphere_direction(atmosphere.ground_radius, height, side, polar, azimuth);
+    float sun_sine = airlight_safe_sqrt((1.0 - mu_s) * (1.0 + mu_s));
+    float nu =
+        clamp(direction.sine * sun_sine * direction.cos_azimuth + direction.mu * mu_s, -1.0, 1.0);
+    vec3 light = AIRLIGHT_ORDER_RADIANCE(height, direction.mu, mu_s, nu, side == 1);
+    if (side == 1) {
+        float distance = airlight_table_air_ray(atmosphere, height, direction.mu, true).extent;
+        float sun_height = (atmosphere.ground_radius + height) * mu_s + distance * nu;
+        float ground_mu_s = clamp(sun_height / atmosphere.ground_radius, -1.0, 1.0);
+        vec3 reflected = atmosphere.ground_albedo * (1.0 / airlight_pi) * AIRLIGHT_ORDER_IRRADIANCE(ground_mu_s);
+        light += airlight_transmittance(atmosphere, height, direction.mu, distance) * reflected;
+    }
+    return light;
+}
+
+// Light that molecules and aerosol at a point gather from the whole sphere and turn into a ray: what they
+// scatter is this times coefficient and density.
+//
+//     G = integral of p(ray, direction) L(direction) over the sphere
+//
+// Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr].
+// Domain:   altitudes inside the air; mu, mu_s and nu the cosines of a triangle of directions.
+// Accuracy: with 8 nodes under 1 % where light changes little over 10 degrees.
+// Errors:   none.
+// Source:   the gathering function of Elek (2009); the scattering density of Bruneton and Neyret (2008)
+//           without its density, which changes too fast with altitude to be interpolated.
+airlight_PhaseWeighted airlight_phase_weighted_light(airlight_Atmosphere atmosphere, float altitude, float mu,
+                                                     float mu_s, float nu) {
+    float height = clamp(altitude, 0.0, atmosphere.top_altitude);
+    // The ray in the frame of the sun's azimuth; where the sun stands in the zenith every azimuth is alike.
+    float sine = airlight_safe_sqrt((1.0 - mu) * (1.0 + mu));
+    float sun_sine = airlight_safe_sqrt((1.0 - mu_s) * (1.0 + mu_s));
+    float towards = sun_sine > 0.0 ? clamp((nu - mu * mu_s) / sun_sine, -sine, sine) : sine;
+    float aside = airlight_safe_sqrt((sine - towards) * (sine + towards));
+    vec3 rayleigh = vec3(0.0, 0.0, 0.0);
+    vec3 mie = vec3(0.0, 0.0, 0.0);
+    for (int side = 0; side < 2; ++side) {
+        for (int polar = 0; polar < AIRLIGHT_NODES; ++polar) {
+            for (int azimuth = 0; azimuth < 16; ++azimuth) {
+                airlight_SphereDirection direction =
+                    airlight_sphere_direction(atmosphere.ground_radius, height, side, polar, azimuth);
+                vec3 light =
+                    direction.solid_angle * AIRLIGHT_INCIDENT_LIGHT(height, mu_s, side, polar, azimuth);
+                float in_plane = direction.sine * direction.cos_azimuth * towards + direction.mu * mu;
+                float across = direction.sine * direction.sin_azimuth * aside;
+                float left = clamp(in_plane + across, -1.0, 1.0);
+                float right = clamp(in_plane - across, -1.0, 1.0);
+                rayleigh += (airlight_rayleigh_phase(left) + airlight_rayleigh_phase(right)) * light;
+#if AIRLIGHT_MIE
+                mie += (airlight_mie_phase(left, atmosphere.mie_g) +
+                        airlight_mie_phase(right, atmosphere.mie_g)) *
+                       light;
+#endif
+            }
+        }
+    }
+    return airlight_PhaseWeighted(rayleigh, mie);
+}
+
+// What the air takes from light per length, at density 1 of column's substances.
+//
+// Units:    altitude [L]; result [1/L].
+// Shape:    the result is a spectrum.
+// Domain:   every altitude, below the ground it counts as 0.
+// Accuracy: that of relative_density.
+// Errors:   none.
+// Source:   Beer's law.
+vec3 airlight_extinction_at(airlight_Atmosphere atmosphere, float altitude) {
+    airlight_Density density = airlight_relative_density(atmosphere, altitude);
+    return airlight_column_optical_depth(atmosphere,
+                                         airlight_Column(density.rayleigh, density.mie, density.ozone));
+}
+
+// What the air at a point of a ray scatters towards its start.
+//
+//     sigma_R rho_R G_R + sigma_M rho_M G_M
+//
+// Units:    altitude [L]; mu, mu_s and nu [1] at the point; result [1/(L sr)]. gathered_rayleigh and
+//           gathered_mie are the parts of phase_weighted_light [1/sr].
+// Domain:   that of phase_weighted_light.
+// Accuracy: that of the hooks.
+// Errors:   none.
+// Source:   definition; the coefficient stands once.
+vec3 airlight_scattered_at(airlight_Atmosphere atmosphere, float altitude, float mu, float mu_s, float nu,
+                           bool reaches_ground) {
+    vec3 light =
+        atmosphere.rayleigh_scattering * (airlight_exponential_density(altitude,
+                                                                       atmosphere.rayleigh_scale_height) *
+                                          AIRLIGHT_GATHERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground));
+#if AIRLIGHT_MIE
+    light += atmosphere.mie_scattering * (airlight_exponential_density(altitude,
+                                                                       atmosphere.mie_scale_height) *
+                                          AIRLIGHT_GATHERED_MIE(altitude, mu, mu_s, nu, reaches_ground));
+#endif
+    return light;
+}
+
+// What a quadrature missed of the light that comes from close to the ray's start, as the air there sends it:
+// all that the nodes did not find lies before the first of them.
+//
+// Units:    found and lost [1], what the nodes see of the air's extinction and what there is; source
+//           [1/(L sr)] and extinction [1/L] at the start; result [1/sr].
+// Domain:   all >= 0.
+// Accuracy: 4 ulp.
+// Errors:   none; no air at the start gives 0.
+// Source:   conservation of energy.
+float airlight_missed_light(float found, float lost, float source, float extinction) {
+    return extinction > 0.0 ? max(lost - found, 0.0) * (source / extinction) : 0.0;
+}
+
+// Light of one more order of scattering, that the air adds to a ray: the second and higher orders of every
+// table.
+//
+//     L = integral of T(eye, x) (sigma_R rho_R G_R + sigma_M rho_M G_M) along the ray
+//
+// The nodes also add up what the ray loses, which is known: what they found too much is taken off in
+// proportion, and what they missed, in air too thick for them, comes from the start of the ray.
+//
+// Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr]. gathered_rayleigh and gathered_mie are the
+//           parts of phase_weighted_light along the ray [1/sr].
+// Domain:   that of single_inscatter.
+// Accuracy: that of the hooks; the integral itself better than 1e-3 with 8 nodes.
+// Errors:   none.
+// Source:   Elek (2009) and Bruneton and Neyret (2008); node_map without the sun.
+vec3 airlight_next_order_radiance(airlight_Atmosphere atmosphere, float altitude, float mu, float mu_s,
+                                  float nu, bool reaches_ground) {
+    vec3 nothing = vec3(0.0, 0.0, 0.0);
+    airlight_AirRay air = airlight_table_air_ray(atmosphere, altitude, mu, reaches_ground);
+    if (!air.in_air) {
+        return nothing;
+    }
+    airlight_LitRay ray = airlight_table_lit_ray(atmosphere, air, mu, mu_s, nu);
+    airlight_NodeFit fit = airlight_node_fit();
+    airlight_RayLegs legs = airlight_ray_legs(atmosphere, ray);
+    float low_radius = atmosphere.ground_radius + legs.turned.altitude;
+    float low_along = abs(air.along + legs.turn);
+    vec3 radiance = nothing;
+    vec3 found = nothing;
+    for (int leg = 0; leg < 2; ++leg) {
+        bool falls = leg == 0;
+        if (falls ? air.along < 0.0 : air.along + air.extent > 0.0) {
+            // The nodes of single scattering, drawn to the eye but not to the sun: this light comes from
+            // everywhere.
+            airlight_RayPoint high = legs.last;
+            if (falls) {
+                high = legs.start;
+            }
+            float outwards = falls ? -1.0 : 1.0;
+            airlight_Column offset = airlight_leg_offset(legs, !falls);
+            float length = falls ? legs.turn : air.extent - legs.turn;
+            float high_radius = atmosphere.ground_radius + high.altitude;
+            float rise = length * (2.0 * low_along + length) / (low_radius + high_radius);
+            float height = max(ray.layers.rayleigh_height, 1e-6 * rise);
+            float view_depth =
+                airlight_guiding_depth(atmosphere,
+                                       airlight_column_sum(legs.turned.outwards, -1.0, high.outwards));
+            airlight_NodeMap map = airlight_node_map(fit, low_radius, low_along, high_radius, rise, height,
+                                                     -outwards * fit.view * view_depth);
+            for (int j = 0; j < AIRLIGHT_NODES; ++j) {
+                airlight_Node node = airlight_node_at(map, airlight_gauss_position(j));
+                float t = legs.turn + outwards * node.way;
+                airlight_RayPoint point = airlight_ray_point(atmosphere, ray, t);
+                airlight_Column passed = airlight_column_sum(offset, -outwards, point.outwards);
+                vec3 depth = max(airlight_column_optical_depth(atmosphere, passed), nothing);
+                vec3 seen = (airlight_gauss_weight(j) * node.stretch) * exp(-depth);
+
+                float radius = atmosphere.ground_radius + point.altitude;
+                float along = air.along + t;
+                float mu_here = clamp(along / radius, -1.0, 1.0);
+                float mu_s_here =
+                    clamp((ray.sun.perigee_height + along * ray.sun.cos_theta) / radius, -1.0, 1.0);
+                radiance += seen * airlight_scattered_at(atmosphere, point.altitude, mu_here, mu_s_here, nu,
+                                                         reaches_ground);
+                found += seen * airlight_extinction_at(atmosphere, point.altitude);
+            }
+        }
+    }
+    vec3 total = airlight_depth_of_legs(atmosphere, legs);
+    vec3 lost = vec3(airlight_one_minus_exp(total.x), airlight_one_minus_exp(total.y),
+                     airlight_one_minus_exp(total.z));
+    vec3 source = airlight_scattered_at(atmosphere, air.altitude, mu, mu_s, nu, reaches_ground);
+    vec3 taken = airlight_extinction_at(atmosphere, air.altitude);
+    vec3 missed = vec3(airlight_missed_light(found.x, lost.x, source.x, taken.x),
+                       airlight_missed_light(found.y, lost.y, source.y, taken.y),
+                       airlight_missed_light(found.z, lost.z, source.z, taken.z));
+    return radiance * airlight_energy_share(found, total) + missed;
+}
+
+// Irradiance of level ground, or of a level surface over it, straight from the sun.
+//
+// Units:    altitude [L]; mu_s [1]; result [1].
+// Shape:    the result is a spectrum.
+// Domain:   that of transmittance_to_space.
+// Accuracy: that of transmittance_to_space.
+// Errors:   none; a sun below the horizontal gives 0.
+// Source:   Lambert's cosine law.
+vec3 airlight_direct_irradiance(airlight_Atmosphere atmosphere, float altitude, float mu_s) {
+    return max(mu_s, 0.0) * airlight_transmittance_to_space(atmosphere, altitude, mu_s);
+}
+
+// Irradiance of a level surface by the light of one order, from the upper half of the sphere.
+//
+// Units:    altitude [L]; mu_s [1]; result [1]. order_radiance as in incident_light.
+// Domain:   altitudes inside the air.
+// Accuracy: that of the hook; the integral itself better than 1e-3 with 8 nodes.
+// Errors:   none.
+// Source:   Lambert's cosine law; Gauss-Legendre quadrature as in sphere_direction.
+vec3 airlight_order_irradiance(airlight_Atmosphere atmosphere, float altitude, float mu_s) {
+    float height = clamp(altitude, 0.0, atmosphere.top_altitude);
+    float sun_sine = airlight_safe_sqrt((1.0 - mu_s) * (1.0 + mu_s));
+    vec3 sum = vec3(0.0, 0.0, 0.0);
+    for (int polar = 0; polar < AIRLIGHT_NODES; ++polar) {
+        for (int azimuth = 0; azimuth < 16; ++azimuth) {
+            // From a point on the ground itself: the horizon is level.
+            airlight_SphereDirection direction =
+                airlight_sphere_direction(atmosphere.ground_radius, 0.0, 0, polar, azimuth);
+            float nu = clamp(direction.sine * sun_sine * direction.cos_azimuth + direction.mu * mu_s,
+                             -1.0, 1.0);
+            sum += (2.0 * direction.solid_angle * direction.mu) *
+                   AIRLIGHT_ORDER_RADIANCE(height, direction.mu, mu_s, nu, false);
+        }
+    }
+    return sum;
+}
+
+// ---- scattering_of_table ----------------------------------------------------
+
+// Hook: what a table holds for a ray; the function that calls it says of what.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_SCATTERED_RAYLEIGH
+#define AIRLIGHT_SCATTERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Hook: what a table holds for a ray; the function that calls it says of what.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_SCATTERED_MIE
+#define AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Hook: what a table holds for a ray; the function that calls it says of what.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_MULTIPLE_RADIANCE
+#define AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Radiance that the air adds to a ray, from what a table holds for it: the phase functions come in here.
+//
+//     L = p_R(nu) R + p_M(nu) M + L_multiple
+//
+// The higher orders come as radiance: they are too even to gain from a phase function, and divided by one
+// and interpolated they are three times as wrong.
+//
+// Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr]. scattered_rayleigh and scattered_mie are the
+//           parts of single_inscatter [1], multiple_radiance is a sum of next_order_radiance [1/sr].
+// Domain:   that of single_inscatter.
+// Accuracy: that of the table.
+// Errors:   none.
+// Source:   Elek (2009); Bruneton and Neyret (2008).
+vec3 airlight_radiance_of_table(airlight_Atmosphere atmosphere, float altitude, float mu, float mu_s,
+                                float nu, bool reaches_ground) {
+    vec3 radiance = AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) +
+                    airlight_rayleigh_phase(nu) * AIRLIGHT_SCATTERED_RAYLEIGH(altitude, mu, mu_s, nu,
+                                                                              reaches_ground);
+#if AIRLIGHT_MIE
+    radiance +=
+        airlight_mie_phase(nu, atmosphere.mie_g) * AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu,
+                                                                          reaches_ground);
+#endif
+    return radiance;
+}
+
+// What the air adds to a view ray, and the share it lets through, by a table of scattered light: the twin of
+// single_scattering with every order that the table holds.
+//
+//     L = S(eye) - T(eye, surface) S(surface)
+//
+// The ray to a surface is the difference of two look-ups. Close to a surface both are nearly alike and
+// their errors are not, so that the difference is kept between 0 and S(eye): never negative, never more than
+// the endless ray, but the haze before a hill a kilometre away is only as good as the table. Order 1 is
+// better left to single_scattering there: without the first two hooks this is what to add to it.
+//
+// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result per unit of
+//           solar irradiance above the air, radiance [1/sr]; the hooks as in radiance_of_table.
+// Domain:   that of single_scattering.
+// Accuracy: that of the table; transmittance that of transmittance.
+// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
+// Source:   Bruneton and Neyret, Precomputed atmospheric scattering (2008), aerial perspective.
+airlight_Scattered airlight_scattering_of_table(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,
+                                                vec3 direction, vec3 to_sun, float distance) {
+    vec3 nothing = vec3(0.0, 0.0, 0.0);
+    airlight_AirRay air = airlight_air_ray(atmosphere, eye, direction, distance);
+    if (!air.in_air) {
+        return airlight_Scattered(nothing, vec3(1.0, 1.0, 1.0));
+    }
+    airlight_SunOverLine sun = airlight_sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
+    float nu = clamp(sun.cos_theta, -1.0, 1.0);
+    bool to_ground = air.perigee_altitude < 0.0 && air.along < 0.0;
+
+    float radius = atmosphere.ground_radius + air.altitude;
+    float mu = clamp(air.along / radius, -1.0, 1.0);
+    float mu_s = clamp((sun.perigee_height + air.along * nu) / radius, -1.0, 1.0);
+    vec3 transmitted = airlight_transmittance(atmosphere, air.altitude, mu, air.extent);
+    vec3 whole = airlight_radiance_of_table(atmosphere, air.altitude, mu, mu_s, nu, to_ground);
+    bool ends_in_air = !air.reaches_ground && air.begin + air.extent >= distance;
+    if (!ends_in_air) {
+        return airlight_Scattered(whole, transmitted);
+    }
+    float end_along = air.along + air.extent;
+    float end_altitude =
+        max(airlight_altitude_along_ray(atmosphere.ground_radius, air.altitude, air.along, air.extent), 0.0);
+    float end_radius = atmosphere.ground_radius + end_altitude;
+    float end_mu = clamp(end_along / end_radius, -1.0, 1.0);
+    float end_mu_s = clamp((sun.perigee_height + end_along * nu) / end_radius, -1.0, 1.0);
+    vec3 behind =
+        airlight_radiance_of_table(atmosphere, end_altitude, end_mu, end_mu_s, nu, to_ground);
+    return airlight_Scattered(clamp(whole - transmitted * behind, nothing, whole), transmitted);
 }
 
 // ---- compose ----------------------------------------------------------------

@@ -19,6 +19,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"vec3 b", "draw.to_sun"},
     {"float centre", "atmosphere.ozone_altitude"},
     {"vec3 centre", "draw.decades(6, 9) * draw.direction"},
+    {"bool climbs", "draw.choose(2)"},
     {"bool climbing", "draw.choose(2)"},
     {"float contrast", "draw.between(0.02, 0.05)"},
     {"float cos_between", "draw.mu"},
@@ -108,8 +109,9 @@ const std::map<std::string, std::string> inputs_by_name = {
 
 /// Parameters for which the range of their type is right: scalars and colours in [0, 1].
 const std::set<std::string> inputs_by_type = {
-    "chord_distance", "density",       "encoded", "light", "linear", "part", "passed", "screen",
-    "stored",         "transmittance", "u",       "upper", "uv",     "uvw",  "whole"};
+    "chord_distance", "density", "encoded", "extinction", "found",         "light", "linear", "lost", "part",
+    "passed",         "screen",  "source",  "stored",     "transmittance", "u",     "upper",  "uv",   "uvw",
+    "whole"};
 
 /// Structures come from functions that take structures; from here on they are put together member by member.
 constexpr int deepest = 3;

@@ -142,18 +142,17 @@ airlight_NodeMap airlight_piece_map(airlight_Atmosphere atmosphere, airlight_Lit
     return airlight_node_map(fit, low_radius, low_along, high_radius, rise, height, pulled);
 }
 
-// Sunlight scattered towards the eye by a length of air at one node, dimmed on its way to the node and from
-// there to the eye.
+// The share of sunlight that is left after its way to one node of a view ray and from there to the eye.
 //
-// Units:    altitude and along [L] of the node, along never negative; result [1/(L sr)] per unit of solar
-//           irradiance above the air.
+// Units:    altitude and along [L] of the node, along never negative; result [1].
+// Shape:    the result is a spectrum.
 // Domain:   a node of the ray with its density; the column from the eye is offset - outwards times the
 //           node's.
 // Accuracy: that of the columns.
 // Errors:   none; ignores the ground.
 // Source:   Beer's law.
-vec3 airlight_node_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray, airlight_Column offset,
-                            float outwards, float altitude, float along, airlight_Density density) {
+vec3 airlight_node_transmittance(airlight_Atmosphere atmosphere, airlight_LitRay ray, airlight_Column offset,
+                                 float outwards, float altitude, float along, airlight_Density density) {
     float radius = atmosphere.ground_radius + altitude;
     float inverse_radius = 1.0 / radius;
     airlight_LinePoint on_ray =
@@ -166,11 +165,25 @@ vec3 airlight_node_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray,
         airlight_column_to_sun(ray.layers, atmosphere.ground_radius, to_sun, sun_height < 0.0, density);
     airlight_Column passed = airlight_column_sum(airlight_column_sum(offset, -outwards, beyond), 1.0, sunlit);
     vec3 depth = airlight_column_optical_depth(atmosphere, passed);
+    return exp(-max(depth, vec3(0.0, 0.0, 0.0)));
+}
+
+// Sunlight scattered towards the eye by a length of air at one node, dimmed on its way to the node and from
+// there to the eye.
+//
+// Units:    altitude and along [L] of the node, along never negative; result [1/(L sr)] per unit of solar
+//           irradiance above the air.
+// Domain:   that of node_transmittance.
+// Accuracy: that of node_transmittance.
+// Errors:   none; ignores the ground.
+// Source:   Beer's law.
+vec3 airlight_node_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray, airlight_Column offset,
+                            float outwards, float altitude, float along, airlight_Density density) {
     vec3 source = ray.rayleigh_source * density.rayleigh;
 #if AIRLIGHT_MIE
     source += ray.mie_source * density.mie;
 #endif
-    return source * exp(-max(depth, vec3(0.0, 0.0, 0.0)));
+    return source * airlight_node_transmittance(atmosphere, ray, offset, outwards, altitude, along, density);
 }
 
 // The most that a ray can scatter towards the eye: all that it takes out of light, spread as the strongest

@@ -52,5 +52,8 @@
 #include <airlight/multiple_scattering.hpp>
 #include <airlight/sky_irradiance.hpp>
 
+#include <airlight/scattering_of_table.hpp>
+#include <airlight/scattering_orders.hpp>
+
 #include <airlight/compose.hpp>
 #include <airlight/sun.hpp>

@@ -133,19 +133,20 @@ NodeMap<T> piece_map(const Atmosphere<T>& atmosphere, const LitRay<T>& ray, cons
     return node_map(fit, low_radius, low_along, high_radius, rise, height, pulled);
 }
 
-/// Sunlight scattered towards the eye by a length of air at one node, dimmed on its way to the node and from
-/// there to the eye.
+/// The share of sunlight that is left after its way to one node of a view ray and from there to the eye.
 ///
-/// Units:    altitude and along [L] of the node, along never negative; result [1/(L sr)] per unit of solar
-///           irradiance above the air.
+/// Units:    altitude and along [L] of the node, along never negative; result [1].
+/// Shape:    the result is a spectrum.
 /// Domain:   a node of the ray with its density; the column from the eye is offset - outwards times the
 ///           node's.
 /// Accuracy: that of the columns.
 /// Errors:   none; ignores the ground.
 /// Source:   Beer's law.
 template <typename T, typename Scene = DefaultScene>
-inline vec3<T> node_radiance(const Atmosphere<T>& atmosphere, const LitRay<T>& ray, const Column<T>& offset,
-                             T outwards, T altitude, T along, const Density<T>& density) {
+[[gnu::always_inline]] inline vec3<T> node_transmittance(const Atmosphere<T>& atmosphere,
+                                                         const LitRay<T>& ray, const Column<T>& offset,
+                                                         T outwards, T altitude, T along,
+                                                         const Density<T>& density) {
     const T radius = atmosphere.ground_radius + altitude;
     const T inverse_radius = T(1) / radius;
     const LinePoint<T> on_ray =
@@ -157,11 +158,26 @@ inline vec3<T> node_radiance(const Atmosphere<T>& atmosphere, const LitRay<T>& r
         column_to_sun<T, Scene>(ray.layers, atmosphere.ground_radius, to_sun, sun_height < T(0), density);
     const Column<T> passed = column_sum(column_sum(offset, -outwards, beyond), T(1), sunlit);
     const vec3<T> depth = column_optical_depth<T, Scene>(atmosphere, passed);
+    return glm::exp(-glm::max(depth, vec3<T>(T(0), T(0), T(0))));
+}
+
+/// Sunlight scattered towards the eye by a length of air at one node, dimmed on its way to the node and from
+/// there to the eye.
+///
+/// Units:    altitude and along [L] of the node, along never negative; result [1/(L sr)] per unit of solar
+///           irradiance above the air.
+/// Domain:   that of node_transmittance.
+/// Accuracy: that of node_transmittance.
+/// Errors:   none; ignores the ground.
+/// Source:   Beer's law.
+template <typename T, typename Scene = DefaultScene>
+inline vec3<T> node_radiance(const Atmosphere<T>& atmosphere, const LitRay<T>& ray, const Column<T>& offset,
+                             T outwards, T altitude, T along, const Density<T>& density) {
     vec3<T> source = ray.rayleigh_source * density.rayleigh;
     if constexpr (Scene::mie) {
         source += ray.mie_source * density.mie;
     }
-    return source * glm::exp(-glm::max(depth, vec3<T>(T(0), T(0), T(0))));
+    return source * node_transmittance<T, Scene>(atmosphere, ray, offset, outwards, altitude, along, density);
 }
 
 /// The most that a ray can scatter towards the eye: all that it takes out of light, spread as the strongest

@@ -98,6 +98,25 @@ struct LitGround {
     }
 };
 
+/// What stands in for the tables of scattered light: a little of every number that they are read with.
+struct StandInTable {
+    template <typename T>
+    airlight::vec3<T> operator()(T, T mu, T mu_s, T nu, bool reaches_ground) const {
+        const T light = T(1) + T(0.25) * mu + T(0.5) * mu_s + T(0.125) * nu;
+        return airlight::vec3<T>(light, T(0.5) * light, reaches_ground ? T(0.25) * light : T(2) * light);
+    }
+    template <typename T>
+    airlight::vec3<T> operator()(T mu_s) const {
+        const T light = T(1) + T(0.5) * mu_s;
+        return airlight::vec3<T>(light, T(2) * light, T(4) * light);
+    }
+    template <typename T>
+    airlight::vec3<T> operator()(T, T mu_s, int side, int polar, int azimuth) const {
+        const T light = T(4 + side) + T(0.5) * T(polar) + mu_s;
+        return airlight::vec3<T>(light, light + T(azimuth), T(1));
+    }
+};
+
 /// The same hooks for a shader, by hand: they play the part of the user's own code.
 inline const char* const hooks_glsl = R"glsl(
 float parity_partly_lit(vec3 position) {
@@ -116,6 +135,27 @@ float parity_strength(float altitude, float mu_s) {
     parity_strength(altitude, mu_s) * vec3(2.0, 1.5, 1.0), parity_strength(altitude, mu_s) * vec3(0.25, 0.25, 0.5), \
     parity_strength(altitude, mu_s) * vec3(0.5, 0.75, 1.0))
 #define AIRLIGHT_GROUND_IRRADIANCE(mu_s) ((1.0 + (mu_s)) * vec3(0.125, 0.25, 0.5))
+
+vec3 parity_table(float mu, float mu_s, float nu, bool reaches_ground) {
+    float light = 1.0 + 0.25 * mu + 0.5 * mu_s + 0.125 * nu;
+    return vec3(light, 0.5 * light, reaches_ground ? 0.25 * light : 2.0 * light);
+}
+vec3 parity_irradiance(float mu_s) {
+    float light = 1.0 + 0.5 * mu_s;
+    return vec3(light, 2.0 * light, 4.0 * light);
+}
+vec3 parity_light(float mu_s, int side, int polar, int azimuth) {
+    float light = float(4 + side) + 0.5 * float(polar) + mu_s;
+    return vec3(light, light + float(azimuth), 1.0);
+}
+#define AIRLIGHT_ORDER_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
+#define AIRLIGHT_ORDER_IRRADIANCE(mu_s) parity_irradiance(mu_s)
+#define AIRLIGHT_INCIDENT_LIGHT(altitude, mu_s, side, polar, azimuth) parity_light(mu_s, side, polar, azimuth)
+#define AIRLIGHT_GATHERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
+#define AIRLIGHT_GATHERED_MIE(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
+#define AIRLIGHT_SCATTERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
+#define AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
+#define AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
 )glsl";
 
 }  // namespace parity

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 #include <airlight/airlight.hpp>
 
+#include "angles.hpp"
 #include "samplers.hpp"
 #include "story.hpp"
 #include "table.hpp"
@@ -57,18 +58,6 @@ struct View {
     vec3<T> to_sun;
     T distance;
 };
-
-template <typename T>
-vec3<T> slope(double elevation_degrees, double azimuth_degrees = 0.0) {
-    const double e = elevation_degrees * 0.017453292519943295;
-    const double a = azimuth_degrees * 0.017453292519943295;
-    return vec3<T>(T(std::cos(e) * std::cos(a)), T(std::cos(e) * std::sin(a)), T(std::sin(e)));
-}
-
-template <typename T>
-Viewpoint<T> standing(T altitude) {
-    return Viewpoint<T>{altitude, vec3<T>(T(0), T(0), T(1))};
-}
 
 template <typename T>
 View<T> random_view(Random& random) {

@@ -74,18 +74,36 @@ static const bool piece_map_row =
         })
         .within_bound();
 
+/// Atmosphere, a lit ray and what a node of it is told by.
+static auto node_of_ray(Draw& draw) {
+    const auto [atmosphere, ray, t] = point_of_ray(draw);
+    const auto point = airlight::ray_point(atmosphere, ray, t);
+    const auto start = airlight::ray_point(atmosphere, ray, 0.0F);
+    const float outwards = ray.air.along + t < 0.0F ? -1.0F : 1.0F;
+    const auto offset =
+        airlight::column_sum(airlight::Column<float>{0.0F, 0.0F, 0.0F}, outwards, start.outwards);
+    return std::make_tuple(atmosphere, ray, offset, outwards, point.altitude, glm::abs(ray.air.along + t),
+                           point.density);
+}
+
+static const bool node_transmittance_row =
+    row("node_transmittance")
+        .inputs(node_of_ray)
+        .left_out(
+            0.35, 0.1,
+            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
+            "points where rounding decides how long the ray or its shadow is")
+        .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& offset, auto outwards,
+                auto altitude, auto along, const auto& density) {
+            using R = decltype(run);
+            return airlight::node_transmittance<typename R::T, typename R::Scene>(
+                atmosphere, ray, offset, outwards, altitude, along, density);
+        })
+        .within_bound();
+
 static const bool node_radiance_row =
     row("node_radiance")
-        .inputs([](Draw& draw) {
-            const auto [atmosphere, ray, t] = point_of_ray(draw);
-            const auto point = airlight::ray_point(atmosphere, ray, t);
-            const auto start = airlight::ray_point(atmosphere, ray, 0.0F);
-            const float outwards = ray.air.along + t < 0.0F ? -1.0F : 1.0F;
-            const auto offset =
-                airlight::column_sum(airlight::Column<float>{0.0F, 0.0F, 0.0F}, outwards, start.outwards);
-            return std::make_tuple(atmosphere, ray, offset, outwards, point.altitude,
-                                   glm::abs(ray.air.along + t), point.density);
-        })
+        .inputs(node_of_ray)
         .left_out(
             0.35, 0.1,
             "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
