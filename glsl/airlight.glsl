@@ -843,20 +843,20 @@ const float airlight_koschmieder_contrast = 0.02;
 // Contrast behind the meteorological optical range, 5 % [1].
 const float airlight_optical_range_contrast = 0.05;
 
-// The sun's irradiance above the Earth's air over all wavelengths [W/m^2], at the mean distance: the mean of
-// 42 years by Gueymard, A reevaluation of the solar constant (2018).
+// The sun's irradiance above the Earth's air over all wavelengths [W/m^2], at the mean distance: the
+// mean of 42 years by Gueymard, A reevaluation of the solar constant (2018).
 const float airlight_total_solar_irradiance = 1361.1;
 
-// The same as the eye sees it [lx]: the spectrum of ASTM E490-00a, scaled to total_solar_irradiance, through
-// the CIE 1931 observer (tests/data/solar_light_table.py).
+// The same as the eye sees it [lx]: the spectrum of ASTM E490-00a, scaled to total_solar_irradiance,
+// through the CIE 1931 observer (tests/data/solar_light_table.py).
 const float airlight_solar_illuminance = 132829.62;
 
 // The same as linear Rec. 709 red, green and blue [lx]; its luminance is solar_illuminance. As
 // solar_irradiance of compose it makes pictures in candela per square metre.
 const vec3 airlight_solar_illuminance_rgb = vec3(146098.85, 129654.20, 125202.84);
 
-// The sun's spectral irradiance above the Earth's air [W/(m^2 nm)] at 680, 550 and 440 nm, the wavelengths
-// of earth(): means over 10 nm of the same spectrum.
+// The sun's spectral irradiance above the Earth's air [W/(m^2 nm)] at 680, 550 and 440 nm, the
+// wavelengths of earth(): means over 10 nm of the same spectrum.
 const vec3 airlight_solar_spectral_irradiance = vec3(1.48645, 1.86587, 1.82634);
 
 // King's factor: how much more a gas of anisotropic molecules scatters.
@@ -1587,7 +1587,8 @@ airlight_Column airlight_column_marched(airlight_Atmosphere atmosphere, float al
 
 // Area of a segment of the unit circle over the cube of its half chord.
 //
-//     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2),   pi / 2 for half a circle, 2 / 3 for a thin segment
+//     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2),   pi / 2 for half a circle, 2 / 3 for a thin
+//     segment
 //
 // The quotient is smooth where the area itself starts as a power 3/2, and needs no inverse cosine.
 //
@@ -1607,9 +1608,8 @@ float airlight_segment_over_chord(float chord_distance) {
 
 // How one disc, the sun's, stands to another in front of it, a moon's or a planet's.
 struct airlight_Occultation {
-    float gap;  // [1] from the edge of the disc in front to the centre of the one behind, in radii of the
-                // latter
-    float curvature;  // [1] radius of the disc behind over that of the one in front; 0: its edge is straight
+    float gap;        // [1] from the edge in front to the centre behind, in radii of the disc behind
+    float curvature;  // [1] radius of the disc behind over that of the one in front; 0 is a straight edge
 };
 
 // What is left in sight of an evenly bright disc behind another.
@@ -1656,8 +1656,8 @@ float airlight_visible_share(airlight_Occultation occultation) {
 //
 //     I = (1 - x^2)^(limb_exponent / 2),   x from the centre in radii
 //
-// Such a disc is a stack of evenly bright ones of all sizes up to its own. Eight of them, at the points of
-// Gauss' rule, stand for all.
+// Such a disc is a stack of evenly bright ones of all sizes up to its own. Eight of them, at the points
+// of Gauss' rule, stand for all.
 //
 // Units:    limb_exponent [1]; result [1], share of the disc's light.
 // Domain:   that of visible_share; limb_exponent from 0, an even disc, to 2.
@@ -1688,9 +1688,10 @@ float airlight_visible_share_of_light(airlight_Occultation occultation, float li
 //
 // Units:    cosines and sines of the angle between the centres and of the sphere's angular radius [1];
 //           sin_radius of the far disc's angular radius [1].
-// Domain:   an eye outside the sphere: its angular radius is at most a quarter turn; sin_radius in [0, 1].
-// Accuracy: 4 roundoffs over sin_radius for the gap. The discs are taken for plane ones, which is off by the
-//           square of sin_radius.
+// Domain:   an eye outside the sphere: its angular radius is at most a quarter turn; sin_radius in [0,
+//           1].
+// Accuracy: 4 roundoffs over sin_radius for the gap. The discs are taken for plane ones, which is off by
+//           the square of sin_radius.
 // Errors:   none; no sphere (a sine of 0) hides nothing; a disc without size is seen or is not.
 // Source:   sine and cosine of a difference; docs/theory/sun.md.
 airlight_Occultation airlight_occultation_of_disc(float cos_between, float sin_between, float cos_sphere,
@@ -1706,11 +1707,13 @@ airlight_Occultation airlight_occultation_of_disc(float cos_between, float sin_b
     return airlight_Occultation(sine / sin_radius, sin_radius * cos_sphere / sin_sphere);
 }
 
-// How the sun's disc stands to the ground sphere, seen from an altitude: before sunrise and after sunset.
+// How the sun's disc stands to the ground sphere, seen from an altitude: before sunrise and after
+// sunset.
 //
 // Units:    ground_radius and altitude [L]; mu_s [1], cosine between the vertical and the sun's centre;
 //           sin_radius [1] of the sun's angular radius.
-// Domain:   ground_radius > 0; altitude below the ground counts as 0; mu_s in [-1, 1]; sin_radius in [0, 1].
+// Domain:   ground_radius > 0; altitude below the ground counts as 0; mu_s in [-1, 1]; sin_radius in [0,
+//           1].
 // Accuracy: that of occultation_of_disc; light goes straight, without refraction.
 // Errors:   none.
 // Source:   occultation_of_disc.
@@ -1725,7 +1728,8 @@ airlight_Occultation airlight_occultation_by_ground(float ground_radius, float a
 
 // How the sun's disc stands to a sphere, a moon for example.
 //
-// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1] of
+// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1]
+//           of
 // the
 //           sun's angular radius.
 // Domain:   every centre whose square is finite; radius >= 0; sin_radius in [0, 1].
@@ -1749,8 +1753,8 @@ airlight_Occultation airlight_occultation_by_sphere(vec3 centre, float radius, v
 
 // Share of sunlight that passes a sphere, a moon for example: a visibility for single_scattering.
 //
-// In GLSL: #define AIRLIGHT_VISIBILITY(position) airlight_sunlight_past_sphere(centre - (position), ...);
-// in C++ PastSphere.
+// In GLSL: #define AIRLIGHT_VISIBILITY(position) airlight_sunlight_past_sphere(centre - (position),
+// ...); in C++ PastSphere.
 //
 // Units:    those of occultation_by_sphere; limb_exponent as in visible_share_of_light; result [1].
 // Domain:   that of occultation_by_sphere and visible_share_of_light.
@@ -5169,10 +5173,9 @@ const float airlight_solar_sin_radius = 0.00465046726096215753156;
 
 // The sun as a picture shows it.
 struct airlight_SunDisc {
-    float sin_radius;  // [1] sine of its angular radius
-    vec3
-        limb_exponents;  // [1] radiance falls as (1 - x^2)^(exponent / 2) from the centre; 0: evenly bright
-    float sin_edge;  // [1] its rim is spread by the angle of this sine to both sides, half a pixel; 0: sharp
+    float sin_radius;     // [1] sine of its angular radius
+    vec3 limb_exponents;  // [1] a of radiance (1 - x^2)^(a / 2) at x radii from the centre; 0 is even
+    float sin_edge;       // [1] sine of half a pixel: the rim is spread by it to both sides; 0 is sharp
 };
 
 // The sun from the Earth's mean distance, with a sharp rim.
@@ -5181,8 +5184,8 @@ struct airlight_SunDisc {
 // Domain:   none, it takes no argument.
 // Accuracy: the printed numbers, rounded to T. The exponents are those at 680, 550 and 440 nm.
 // Errors:   none.
-// Source:   Hestroffer and Magnan, Wavelength dependency of the solar limb darkening (1998), a law of one
-//           parameter, with the exponents that renderers quote from its table 2; its straight line
+// Source:   Hestroffer and Magnan, Wavelength dependency of the solar limb darkening (1998), a law of
+//           one parameter, with the exponents that renderers quote from its table 2; its straight line
 //           0.292 um / wavelength - 0.023 is within 3 % of them.
 airlight_SunDisc airlight_solar_disc() {
     return airlight_SunDisc(airlight_solar_sin_radius, vec3(0.397, 0.503, 0.652), 0.0);
@@ -5206,7 +5209,8 @@ float airlight_disc_solid_angle(float sin_radius) {
 //
 //     1 / (pi sin^2)
 //
-// The mean is over the disc as that surface sees it, so the cosine is counted and nothing is approximate.
+// The mean is over the disc as that surface sees it, so the cosine is counted and nothing is
+// approximate.
 //
 // Units:    sin_radius [1]; result [1/sr] per unit of irradiance.
 // Domain:   sin_radius in (0, 1].
@@ -5223,8 +5227,8 @@ float airlight_disc_radiance(float sin_radius) {
 //
 // Units:    x, half_width w and power [1]; result [1].
 // Domain:   x at most 1e6; half_width from 0 to 1e6; power from 0 to 3.
-// Accuracy: 64 roundoffs of (x + w)^power where the window is wide; relative 1e-9 by the series where w is
-//           below x / 32.
+// Accuracy: 64 roundoffs of (x + w)^power where the window is wide; relative 1e-9 by the series where w
+//           is below x / 32.
 // Errors:   none; a window below 0 gives 0.
 // Source:   the power's integral, and its Taylor series where that would cancel.
 float airlight_windowed_power(float x, float half_width, float power) {
@@ -5251,8 +5255,8 @@ float airlight_windowed_power(float x, float half_width, float power) {
 //
 // Units:    square q, exponent a and spread, the window's half width in q [1]; result [1].
 // Domain:   square >= 0; exponent from 0 to 2; spread from 0 to 1e6.
-// Accuracy: 4 roundoffs times (1 + value) (1 + 1 / max(|1 - q|, spread)) (measured: 1.1), and 1e-9 by the
-//           series of windowed_power.
+// Accuracy: 4 roundoffs times (1 + value) (1 + 1 / max(|1 - q|, spread)) (measured: 1.1), and 1e-9 by
+//           the series of windowed_power.
 // Errors:   none; 0 outside the disc and its rim.
 // Source:   Hestroffer and Magnan, Wavelength dependency of the solar limb darkening (1998); the window:
 //           docs/theory/sun.md.
@@ -5264,8 +5268,8 @@ float airlight_limb_darkening(float square, float exponent, float spread) {
 
 // Radiance of the sun's disc in a direction, before the air. Multiply by transmittance_to_space.
 //
-// All of the disc's light together gives a surface that faces the sun unit irradiance, also where the rim is
-// spread.
+// All of the disc's light together gives a surface that faces the sun unit irradiance, also where the
+// rim is spread.
 //
 // Units:    direction and to_sun unit vectors; result [1/sr] per unit of solar irradiance above the air.
 // Shape:    the result is a spectrum.
@@ -5309,11 +5313,11 @@ float airlight_visible_middle(float gap) {
 
 // Sunlight that arrives at a point from a sun of finite size, on a surface that faces it.
 //
-// The light of what the horizon leaves of the disc, dimmed as it is at the middle of that: dusk is as long
-// as the sun needs to set, and has no step.
+// The light of what the horizon leaves of the disc, dimmed as it is at the middle of that: dusk is as
+// long as the sun needs to set, and has no step.
 //
-// Units:    altitude [L]; mu_s [1], cosine between the vertical and the sun's centre; sin_radius [1]; result
-//           [1], share of the solar irradiance above the air.
+// Units:    altitude [L]; mu_s [1], cosine between the vertical and the sun's centre; sin_radius [1];
+//           result [1], share of the solar irradiance above the air.
 // Shape:    the result is a spectrum.
 // Domain:   that of optical_depth; sin_radius in [0, 1], 0 gives transmittance_to_space.
 // Accuracy: 0.0015 of full sunlight in the air, 0.11 from orbit, where the disc is taller than the air
@@ -5347,8 +5351,8 @@ const float airlight_elek_sun_scale = 0.003;
 //
 //     (1 - g)^2 / (4 pi (1 + g^2 - 2 g cos_theta)^(3/2))
 //
-// It is no phase function: with 1 - g^2 in place of (1 - g)^2 it would be Henyey and Greenstein's. Over the
-// sphere it comes to (1 - g) / (1 + g), 0.005025 for g = 0.99. For a sun of the right light use
+// It is no phase function: with 1 - g^2 in place of (1 - g)^2 it would be Henyey and Greenstein's. Over
+// the sphere it comes to (1 - g) / (1 + g), 0.005025 for g = 0.99. For a sun of the right light use
 // sun_radiance; for that picture elek_sun_scale times this.
 //
 // Units:    cos_theta and g [1]; result [1/sr].
@@ -5361,16 +5365,120 @@ float airlight_elek_sun_lobe(float cos_theta, float g) {
     return (1.0 - g) * (1.0 - g) / (4.0 * airlight_pi * d * sqrt(d));
 }
 
-// The sun of Leenman's shader: 3 where the cosine to its centre is above 0.9998, else 0. A disc 4.3 times as
-// wide as the sun's.
+// The sun of Leenman's shader: 3 where the cosine to its centre is above 0.9998, else 0. A disc 4.3
+// times as wide as the sun's.
 //
-// Units:    cos_theta [1]; result in the unit of that shader's scene colour, its sun's strength being 40.
+// Units:    cos_theta [1]; result in the unit of that shader's scene colour, its sun's strength being
+//           40.
 // Domain:   cos_theta in [-1, 1].
 // Accuracy: exact for inputs moved by 1 roundoff.
 // Errors:   none; NaN gives 0.
 // Source:   Leenman, Atmospheric scattering explained (2021), the sun of the scene.
 float airlight_leenman_sun(float cos_theta) {
     return cos_theta > 0.9998 ? 3.0 : 0.0;
+}
+
+// ---- aerial_perspective -----------------------------------------------------
+
+// The sun's irradiance of a surface, through the air, with the sun setting behind the ground sphere.
+//
+// Units:    place.altitude [L]; normal and to_sun unit vectors; sin_radius [1] of the sun's angular
+//           radius; result [1], share of the solar irradiance above the air.
+// Shape:    the result is a spectrum.
+// Domain:   that of sunlight.
+// Accuracy: that of sunlight.
+// Errors:   none; a surface turned away gets 0.
+// Source:   Lambert's cosine law; sunlight.
+vec3 airlight_sun_irradiance(airlight_Atmosphere atmosphere, airlight_Viewpoint place, vec3 normal,
+                             vec3 to_sun, float sin_radius) {
+    float mu_s = clamp(airlight_dot_product(place.up, to_sun), -1.0, 1.0);
+    float facing = max(airlight_dot_product(normal, to_sun), 0.0);
+    return facing * airlight_sunlight(atmosphere, place.altitude, mu_s, sin_radius);
+}
+
+// What the eye sees of a surface at a distance: its light dimmed by the air between, and that air's own.
+//
+// The air's light is what it scatters up to the surface and no further, so aerosol in front of a near
+// wall hardly glows, and no light comes through it from behind.
+//
+// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; surface_radiance
+//           and
+// result
+//           [1/sr] per unit of solar irradiance above the air.
+// Shape:    surface_radiance and the result are spectra.
+// Domain:   that of single_scattering; surface_radiance >= 0.
+// Accuracy: that of single_scattering.
+// Errors:   none; distance 0 gives surface_radiance.
+// Source:   single_scattering, compose.
+vec3 airlight_aerial_perspective(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
+                                 vec3 to_sun, float distance, vec3 surface_radiance) {
+    airlight_Scattered air =
+        airlight_single_scattering(atmosphere, eye, direction, to_sun, distance);
+    return airlight_compose(surface_radiance, air, vec3(1.0, 1.0, 1.0));
+}
+
+// The same air with an aerosol that takes light and gives none back.
+//
+// For aerial_perspective in the way of Leenman's shader, whose aerosol does not glow in front of
+// surfaces. Not physical: a haze that should be bright is dark.
+//
+// Units:    those of the atmosphere.
+// Domain:   every atmosphere.
+// Accuracy: 1 roundoff.
+// Errors:   none.
+// Source:   Leenman, Atmospheric scattering explained (2021), the scattering function's allow_mie.
+airlight_Atmosphere airlight_without_aerosol_glow(airlight_Atmosphere atmosphere) {
+    airlight_Atmosphere dark = atmosphere;
+    dark.mie_absorption = atmosphere.mie_absorption + atmosphere.mie_scattering;
+    dark.mie_scattering = vec3(0.0, 0.0, 0.0);
+    return dark;
+}
+
+// ---- sky --------------------------------------------------------------------
+
+// What the eye sees where nothing but sky lies behind the air: the air's light, and the sun's disc
+// through it.
+//
+// The air's light comes from the caller, by whatever method. The sun is hidden behind the planet, edge
+// by edge as it sets.
+//
+// Units:    direction and to_sun unit vectors; air as single_scattering returns it for no_surface();
+//           result [1/sr] per unit of solar irradiance above the air. Times solar_illuminance_rgb it is in
+//           cd/m^2.
+// Shape:    the result is a spectrum.
+// Domain:   every viewpoint up to 1e12 m from an Earth; that of sun_radiance.
+// Accuracy: that of air and of sun_radiance.
+// Errors:   none; where the ray ends on the ground sphere, the light of the air in front of it.
+// Source:   the radiative transfer equation along a ray, its formal solution.
+vec3 airlight_sky_with_sun(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
+                           vec3 to_sun, airlight_SunDisc sun, airlight_Scattered air) {
+    vec3 disc = airlight_sun_radiance(sun, direction, to_sun);
+    if (disc.x + disc.y + disc.z <= 0.0) {
+        return air.radiance;
+    }
+    if (airlight_air_ray(atmosphere, eye, direction, airlight_no_surface()).reaches_ground) {
+        return air.radiance;
+    }
+    return airlight_compose(disc, air, vec3(1.0, 1.0, 1.0));
+}
+
+// Radiance of the sky in a direction, for a pixel that shows no surface: light scattered once, and the
+// sun.
+//
+// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result [1/sr] per
+//           unit
+// of
+//           solar irradiance above the air.
+// Shape:    the result is a spectrum.
+// Domain:   that of single_scattering and sun_radiance.
+// Accuracy: that of single_scattering and sun_radiance.
+// Errors:   none.
+// Source:   single_scattering, sky_with_sun.
+vec3 airlight_sky_radiance(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
+                           vec3 to_sun, airlight_SunDisc sun) {
+    airlight_Scattered air =
+        airlight_single_scattering(atmosphere, eye, direction, to_sun, airlight_no_surface());
+    return airlight_sky_with_sun(atmosphere, eye, direction, to_sun, sun, air);
 }
 
 #endif

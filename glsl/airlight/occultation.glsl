@@ -8,7 +8,8 @@
 
 // Area of a segment of the unit circle over the cube of its half chord.
 //
-//     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2),   pi / 2 for half a circle, 2 / 3 for a thin segment
+//     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2),   pi / 2 for half a circle, 2 / 3 for a thin
+//     segment
 //
 // The quotient is smooth where the area itself starts as a power 3/2, and needs no inverse cosine.
 //
@@ -28,9 +29,8 @@ float airlight_segment_over_chord(float chord_distance) {
 
 // How one disc, the sun's, stands to another in front of it, a moon's or a planet's.
 struct airlight_Occultation {
-    float gap;  // [1] from the edge of the disc in front to the centre of the one behind, in radii of the
-                // latter
-    float curvature;  // [1] radius of the disc behind over that of the one in front; 0: its edge is straight
+    float gap;        // [1] from the edge in front to the centre behind, in radii of the disc behind
+    float curvature;  // [1] radius of the disc behind over that of the one in front; 0 is a straight edge
 };
 
 // What is left in sight of an evenly bright disc behind another.
@@ -77,8 +77,8 @@ float airlight_visible_share(airlight_Occultation occultation) {
 //
 //     I = (1 - x^2)^(limb_exponent / 2),   x from the centre in radii
 //
-// Such a disc is a stack of evenly bright ones of all sizes up to its own. Eight of them, at the points of
-// Gauss' rule, stand for all.
+// Such a disc is a stack of evenly bright ones of all sizes up to its own. Eight of them, at the points
+// of Gauss' rule, stand for all.
 //
 // Units:    limb_exponent [1]; result [1], share of the disc's light.
 // Domain:   that of visible_share; limb_exponent from 0, an even disc, to 2.
@@ -109,9 +109,10 @@ float airlight_visible_share_of_light(airlight_Occultation occultation, float li
 //
 // Units:    cosines and sines of the angle between the centres and of the sphere's angular radius [1];
 //           sin_radius of the far disc's angular radius [1].
-// Domain:   an eye outside the sphere: its angular radius is at most a quarter turn; sin_radius in [0, 1].
-// Accuracy: 4 roundoffs over sin_radius for the gap. The discs are taken for plane ones, which is off by the
-//           square of sin_radius.
+// Domain:   an eye outside the sphere: its angular radius is at most a quarter turn; sin_radius in [0,
+//           1].
+// Accuracy: 4 roundoffs over sin_radius for the gap. The discs are taken for plane ones, which is off by
+//           the square of sin_radius.
 // Errors:   none; no sphere (a sine of 0) hides nothing; a disc without size is seen or is not.
 // Source:   sine and cosine of a difference; docs/theory/sun.md.
 airlight_Occultation airlight_occultation_of_disc(float cos_between, float sin_between, float cos_sphere,
@@ -127,11 +128,13 @@ airlight_Occultation airlight_occultation_of_disc(float cos_between, float sin_b
     return airlight_Occultation(sine / sin_radius, sin_radius * cos_sphere / sin_sphere);
 }
 
-// How the sun's disc stands to the ground sphere, seen from an altitude: before sunrise and after sunset.
+// How the sun's disc stands to the ground sphere, seen from an altitude: before sunrise and after
+// sunset.
 //
 // Units:    ground_radius and altitude [L]; mu_s [1], cosine between the vertical and the sun's centre;
 //           sin_radius [1] of the sun's angular radius.
-// Domain:   ground_radius > 0; altitude below the ground counts as 0; mu_s in [-1, 1]; sin_radius in [0, 1].
+// Domain:   ground_radius > 0; altitude below the ground counts as 0; mu_s in [-1, 1]; sin_radius in [0,
+//           1].
 // Accuracy: that of occultation_of_disc; light goes straight, without refraction.
 // Errors:   none.
 // Source:   occultation_of_disc.
@@ -146,7 +149,8 @@ airlight_Occultation airlight_occultation_by_ground(float ground_radius, float a
 
 // How the sun's disc stands to a sphere, a moon for example.
 //
-// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1] of
+// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1]
+//           of
 // the
 //           sun's angular radius.
 // Domain:   every centre whose square is finite; radius >= 0; sin_radius in [0, 1].
@@ -170,8 +174,8 @@ airlight_Occultation airlight_occultation_by_sphere(vec3 centre, float radius, v
 
 // Share of sunlight that passes a sphere, a moon for example: a visibility for single_scattering.
 //
-// In GLSL: #define AIRLIGHT_VISIBILITY(position) airlight_sunlight_past_sphere(centre - (position), ...);
-// in C++ PastSphere.
+// In GLSL: #define AIRLIGHT_VISIBILITY(position) airlight_sunlight_past_sphere(centre - (position),
+// ...); in C++ PastSphere.
 //
 // Units:    those of occultation_by_sphere; limb_exponent as in visible_share_of_light; result [1].
 // Domain:   that of occultation_by_sphere and visible_share_of_light.

@@ -10,20 +10,20 @@ const float airlight_koschmieder_contrast = 0.02;
 // Contrast behind the meteorological optical range, 5 % [1].
 const float airlight_optical_range_contrast = 0.05;
 
-// The sun's irradiance above the Earth's air over all wavelengths [W/m^2], at the mean distance: the mean of
-// 42 years by Gueymard, A reevaluation of the solar constant (2018).
+// The sun's irradiance above the Earth's air over all wavelengths [W/m^2], at the mean distance: the
+// mean of 42 years by Gueymard, A reevaluation of the solar constant (2018).
 const float airlight_total_solar_irradiance = 1361.1;
 
-// The same as the eye sees it [lx]: the spectrum of ASTM E490-00a, scaled to total_solar_irradiance, through
-// the CIE 1931 observer (tests/data/solar_light_table.py).
+// The same as the eye sees it [lx]: the spectrum of ASTM E490-00a, scaled to total_solar_irradiance,
+// through the CIE 1931 observer (tests/data/solar_light_table.py).
 const float airlight_solar_illuminance = 132829.62;
 
 // The same as linear Rec. 709 red, green and blue [lx]; its luminance is solar_illuminance. As
 // solar_irradiance of compose it makes pictures in candela per square metre.
 const vec3 airlight_solar_illuminance_rgb = vec3(146098.85, 129654.20, 125202.84);
 
-// The sun's spectral irradiance above the Earth's air [W/(m^2 nm)] at 680, 550 and 440 nm, the wavelengths
-// of earth(): means over 10 nm of the same spectrum.
+// The sun's spectral irradiance above the Earth's air [W/(m^2 nm)] at 680, 550 and 440 nm, the
+// wavelengths of earth(): means over 10 nm of the same spectrum.
 const vec3 airlight_solar_spectral_irradiance = vec3(1.48645, 1.86587, 1.82634);
 
 // King's factor: how much more a gas of anisotropic molecules scatters.

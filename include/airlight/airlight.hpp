@@ -57,3 +57,6 @@
 
 #include <airlight/compose.hpp>
 #include <airlight/sun.hpp>
+
+#include <airlight/aerial_perspective.hpp>
+#include <airlight/sky.hpp>

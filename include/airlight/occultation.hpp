@@ -9,7 +9,8 @@ namespace airlight {
 
 /// Area of a segment of the unit circle over the cube of its half chord.
 ///
-///     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2),   pi / 2 for half a circle, 2 / 3 for a thin segment
+///     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2),   pi / 2 for half a circle, 2 / 3 for a thin
+///     segment
 ///
 /// The quotient is smooth where the area itself starts as a power 3/2, and needs no inverse cosine.
 ///
@@ -31,9 +32,8 @@ T segment_over_chord(T chord_distance) {
 /// How one disc, the sun's, stands to another in front of it, a moon's or a planet's.
 template <typename T>
 struct Occultation {
-    T gap;        ///< [1] from the edge of the disc in front to the centre of the one behind, in radii of the
-                  ///< latter
-    T curvature;  ///< [1] radius of the disc behind over that of the one in front; 0: its edge is straight
+    T gap;        ///< [1] from the edge in front to the centre behind, in radii of the disc behind
+    T curvature;  ///< [1] radius of the disc behind over that of the one in front; 0 is a straight edge
 };
 
 /// What is left in sight of an evenly bright disc behind another.
@@ -81,8 +81,8 @@ T visible_share(const Occultation<T>& occultation) {
 ///
 ///     I = (1 - x^2)^(limb_exponent / 2),   x from the centre in radii
 ///
-/// Such a disc is a stack of evenly bright ones of all sizes up to its own. Eight of them, at the points of
-/// Gauss' rule, stand for all.
+/// Such a disc is a stack of evenly bright ones of all sizes up to its own. Eight of them, at the points
+/// of Gauss' rule, stand for all.
 ///
 /// Units:    limb_exponent [1]; result [1], share of the disc's light.
 /// Domain:   that of visible_share; limb_exponent from 0, an even disc, to 2.
@@ -114,9 +114,10 @@ T visible_share_of_light(const Occultation<T>& occultation, T limb_exponent) {
 ///
 /// Units:    cosines and sines of the angle between the centres and of the sphere's angular radius [1];
 ///           sin_radius of the far disc's angular radius [1].
-/// Domain:   an eye outside the sphere: its angular radius is at most a quarter turn; sin_radius in [0, 1].
-/// Accuracy: 4 roundoffs over sin_radius for the gap. The discs are taken for plane ones, which is off by the
-///           square of sin_radius.
+/// Domain:   an eye outside the sphere: its angular radius is at most a quarter turn; sin_radius in [0,
+///           1].
+/// Accuracy: 4 roundoffs over sin_radius for the gap. The discs are taken for plane ones, which is off by
+///           the square of sin_radius.
 /// Errors:   none; no sphere (a sine of 0) hides nothing; a disc without size is seen or is not.
 /// Source:   sine and cosine of a difference; docs/theory/sun.md.
 template <typename T>
@@ -132,11 +133,13 @@ Occultation<T> occultation_of_disc(T cos_between, T sin_between, T cos_sphere, T
     return Occultation<T>{sine / sin_radius, sin_radius * cos_sphere / sin_sphere};
 }
 
-/// How the sun's disc stands to the ground sphere, seen from an altitude: before sunrise and after sunset.
+/// How the sun's disc stands to the ground sphere, seen from an altitude: before sunrise and after
+/// sunset.
 ///
 /// Units:    ground_radius and altitude [L]; mu_s [1], cosine between the vertical and the sun's centre;
 ///           sin_radius [1] of the sun's angular radius.
-/// Domain:   ground_radius > 0; altitude below the ground counts as 0; mu_s in [-1, 1]; sin_radius in [0, 1].
+/// Domain:   ground_radius > 0; altitude below the ground counts as 0; mu_s in [-1, 1]; sin_radius in [0,
+///           1].
 /// Accuracy: that of occultation_of_disc; light goes straight, without refraction.
 /// Errors:   none.
 /// Source:   occultation_of_disc.
@@ -151,7 +154,8 @@ Occultation<T> occultation_by_ground(T ground_radius, T altitude, T mu_s, T sin_
 
 /// How the sun's disc stands to a sphere, a moon for example.
 ///
-/// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1] of
+/// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1]
+///           of
 /// the
 ///           sun's angular radius.
 /// Domain:   every centre whose square is finite; radius >= 0; sin_radius in [0, 1].
@@ -174,8 +178,8 @@ Occultation<T> occultation_by_sphere(const vec3<T>& centre, T radius, const vec3
 
 /// Share of sunlight that passes a sphere, a moon for example: a visibility for single_scattering.
 ///
-/// In GLSL: #define AIRLIGHT_VISIBILITY(position) airlight_sunlight_past_sphere(centre - (position), ...);
-/// in C++ PastSphere.
+/// In GLSL: #define AIRLIGHT_VISIBILITY(position) airlight_sunlight_past_sphere(centre - (position),
+/// ...); in C++ PastSphere.
 ///
 /// Units:    those of occultation_by_sphere; limb_exponent as in visible_share_of_light; result [1].
 /// Domain:   that of occultation_by_sphere and visible_share_of_light.
@@ -189,9 +193,9 @@ T sunlight_past_sphere(const vec3<T>& centre, T radius, const vec3<T>& to_sun, T
     return visible_share_of_light(occultation, limb_exponent);
 }
 
-/// AIRLIGHT_CPU_ONLY, in GLSL the macro calls sunlight_past_sphere. Hook: the share of sunlight that passes a
-/// sphere on its way to `position` (relative to the eye), in [0, 1]. With it single_scattering sees an
-/// eclipse.
+/// AIRLIGHT_CPU_ONLY, in GLSL the macro calls sunlight_past_sphere. Hook: the share of sunlight that
+/// passes a sphere on its way to `position` (relative to the eye), in [0, 1]. With it single_scattering
+/// sees an eclipse.
 template <typename T>
 struct PastSphere {
     vec3<T> centre;   ///< [L] of the sphere, from the eye

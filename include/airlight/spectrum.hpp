@@ -13,13 +13,13 @@ inline constexpr T koschmieder_contrast = T(0.02L);
 template <typename T>
 inline constexpr T optical_range_contrast = T(0.05L);
 
-/// The sun's irradiance above the Earth's air over all wavelengths [W/m^2], at the mean distance: the mean of
-/// 42 years by Gueymard, A reevaluation of the solar constant (2018).
+/// The sun's irradiance above the Earth's air over all wavelengths [W/m^2], at the mean distance: the
+/// mean of 42 years by Gueymard, A reevaluation of the solar constant (2018).
 template <typename T>
 inline constexpr T total_solar_irradiance = T(1361.1L);
 
-/// The same as the eye sees it [lx]: the spectrum of ASTM E490-00a, scaled to total_solar_irradiance, through
-/// the CIE 1931 observer (tests/data/solar_light_table.py).
+/// The same as the eye sees it [lx]: the spectrum of ASTM E490-00a, scaled to total_solar_irradiance,
+/// through the CIE 1931 observer (tests/data/solar_light_table.py).
 template <typename T>
 inline constexpr T solar_illuminance = T(132829.62L);
 
@@ -28,8 +28,8 @@ inline constexpr T solar_illuminance = T(132829.62L);
 template <typename T>
 inline constexpr vec3<T> solar_illuminance_rgb = vec3<T>(T(146098.85L), T(129654.20L), T(125202.84L));
 
-/// The sun's spectral irradiance above the Earth's air [W/(m^2 nm)] at 680, 550 and 440 nm, the wavelengths
-/// of earth(): means over 10 nm of the same spectrum.
+/// The sun's spectral irradiance above the Earth's air [W/(m^2 nm)] at 680, 550 and 440 nm, the
+/// wavelengths of earth(): means over 10 nm of the same spectrum.
 template <typename T>
 inline constexpr vec3<T> solar_spectral_irradiance = vec3<T>(T(1.48645L), T(1.86587L), T(1.82634L));
 

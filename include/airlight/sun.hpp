@@ -14,10 +14,9 @@ inline constexpr T solar_sin_radius = T(0.00465046726096215753156L);
 /// The sun as a picture shows it.
 template <typename T>
 struct SunDisc {
-    T sin_radius;  ///< [1] sine of its angular radius
-    vec3<T>
-        limb_exponents;  ///< [1] radiance falls as (1 - x^2)^(exponent / 2) from the centre; 0: evenly bright
-    T sin_edge;  ///< [1] its rim is spread by the angle of this sine to both sides, half a pixel; 0: sharp
+    T sin_radius;            ///< [1] sine of its angular radius
+    vec3<T> limb_exponents;  ///< [1] a of radiance (1 - x^2)^(a / 2) at x radii from the centre; 0 is even
+    T sin_edge;              ///< [1] sine of half a pixel: the rim is spread by it to both sides; 0 is sharp
 };
 
 /// The sun from the Earth's mean distance, with a sharp rim.
@@ -26,8 +25,8 @@ struct SunDisc {
 /// Domain:   none, it takes no argument.
 /// Accuracy: the printed numbers, rounded to T. The exponents are those at 680, 550 and 440 nm.
 /// Errors:   none.
-/// Source:   Hestroffer and Magnan, Wavelength dependency of the solar limb darkening (1998), a law of one
-///           parameter, with the exponents that renderers quote from its table 2; its straight line
+/// Source:   Hestroffer and Magnan, Wavelength dependency of the solar limb darkening (1998), a law of
+///           one parameter, with the exponents that renderers quote from its table 2; its straight line
 ///           0.292 um / wavelength - 0.023 is within 3 % of them.
 template <typename T>
 SunDisc<T> solar_disc() {
@@ -53,7 +52,8 @@ T disc_solid_angle(T sin_radius) {
 ///
 ///     1 / (pi sin^2)
 ///
-/// The mean is over the disc as that surface sees it, so the cosine is counted and nothing is approximate.
+/// The mean is over the disc as that surface sees it, so the cosine is counted and nothing is
+/// approximate.
 ///
 /// Units:    sin_radius [1]; result [1/sr] per unit of irradiance.
 /// Domain:   sin_radius in (0, 1].
@@ -71,8 +71,8 @@ T disc_radiance(T sin_radius) {
 ///
 /// Units:    x, half_width w and power [1]; result [1].
 /// Domain:   x at most 1e6; half_width from 0 to 1e6; power from 0 to 3.
-/// Accuracy: 64 roundoffs of (x + w)^power where the window is wide; relative 1e-9 by the series where w is
-///           below x / 32.
+/// Accuracy: 64 roundoffs of (x + w)^power where the window is wide; relative 1e-9 by the series where w
+///           is below x / 32.
 /// Errors:   none; a window below 0 gives 0.
 /// Source:   the power's integral, and its Taylor series where that would cancel.
 template <typename T>
@@ -100,8 +100,8 @@ T windowed_power(T x, T half_width, T power) {
 ///
 /// Units:    square q, exponent a and spread, the window's half width in q [1]; result [1].
 /// Domain:   square >= 0; exponent from 0 to 2; spread from 0 to 1e6.
-/// Accuracy: 4 roundoffs times (1 + value) (1 + 1 / max(|1 - q|, spread)) (measured: 1.1), and 1e-9 by the
-///           series of windowed_power.
+/// Accuracy: 4 roundoffs times (1 + value) (1 + 1 / max(|1 - q|, spread)) (measured: 1.1), and 1e-9 by
+///           the series of windowed_power.
 /// Errors:   none; 0 outside the disc and its rim.
 /// Source:   Hestroffer and Magnan, Wavelength dependency of the solar limb darkening (1998); the window:
 ///           docs/theory/sun.md.
@@ -114,8 +114,8 @@ T limb_darkening(T square, T exponent, T spread) {
 
 /// Radiance of the sun's disc in a direction, before the air. Multiply by transmittance_to_space.
 ///
-/// All of the disc's light together gives a surface that faces the sun unit irradiance, also where the rim is
-/// spread.
+/// All of the disc's light together gives a surface that faces the sun unit irradiance, also where the
+/// rim is spread.
 ///
 /// Units:    direction and to_sun unit vectors; result [1/sr] per unit of solar irradiance above the air.
 /// Shape:    the result is a spectrum.
@@ -161,11 +161,11 @@ T visible_middle(T gap) {
 
 /// Sunlight that arrives at a point from a sun of finite size, on a surface that faces it.
 ///
-/// The light of what the horizon leaves of the disc, dimmed as it is at the middle of that: dusk is as long
-/// as the sun needs to set, and has no step.
+/// The light of what the horizon leaves of the disc, dimmed as it is at the middle of that: dusk is as
+/// long as the sun needs to set, and has no step.
 ///
-/// Units:    altitude [L]; mu_s [1], cosine between the vertical and the sun's centre; sin_radius [1]; result
-///           [1], share of the solar irradiance above the air.
+/// Units:    altitude [L]; mu_s [1], cosine between the vertical and the sun's centre; sin_radius [1];
+///           result [1], share of the solar irradiance above the air.
 /// Shape:    the result is a spectrum.
 /// Domain:   that of optical_depth; sin_radius in [0, 1], 0 gives transmittance_to_space.
 /// Accuracy: 0.0015 of full sunlight in the air, 0.11 from orbit, where the disc is taller than the air
@@ -202,8 +202,8 @@ inline constexpr T elek_sun_scale = T(0.003L);
 ///
 ///     (1 - g)^2 / (4 pi (1 + g^2 - 2 g cos_theta)^(3/2))
 ///
-/// It is no phase function: with 1 - g^2 in place of (1 - g)^2 it would be Henyey and Greenstein's. Over the
-/// sphere it comes to (1 - g) / (1 + g), 0.005025 for g = 0.99. For a sun of the right light use
+/// It is no phase function: with 1 - g^2 in place of (1 - g)^2 it would be Henyey and Greenstein's. Over
+/// the sphere it comes to (1 - g) / (1 + g), 0.005025 for g = 0.99. For a sun of the right light use
 /// sun_radiance; for that picture elek_sun_scale times this.
 ///
 /// Units:    cos_theta and g [1]; result [1/sr].
@@ -217,10 +217,11 @@ T elek_sun_lobe(T cos_theta, T g) {
     return (T(1) - g) * (T(1) - g) / (T(4) * pi<T> * d * glm::sqrt(d));
 }
 
-/// The sun of Leenman's shader: 3 where the cosine to its centre is above 0.9998, else 0. A disc 4.3 times as
-/// wide as the sun's.
+/// The sun of Leenman's shader: 3 where the cosine to its centre is above 0.9998, else 0. A disc 4.3
+/// times as wide as the sun's.
 ///
-/// Units:    cos_theta [1]; result in the unit of that shader's scene colour, its sun's strength being 40.
+/// Units:    cos_theta [1]; result in the unit of that shader's scene colour, its sun's strength being
+///           40.
 /// Domain:   cos_theta in [-1, 1].
 /// Accuracy: exact for inputs moved by 1 roundoff.
 /// Errors:   none; NaN gives 0.

@@ -1,8 +1,10 @@
 #include "row.hpp"
 // row.hpp first: see bounded.hpp.
+#include <airlight/aerial_perspective.hpp>
 #include <airlight/ambient.hpp>
 #include <airlight/compose.hpp>
 #include <airlight/single_scattering.hpp>
+#include <airlight/sky.hpp>
 
 #include "../views.hpp"
 
@@ -187,5 +189,86 @@ static const bool compose_row =
             return airlight::compose(surface, scattered, sun);
         })
         .to_the_bit();
+
+// In this file because they call single_scattering, which takes long to compile in all scenes.
+
+static const bool sky_radiance_row =
+    row("sky_radiance")
+        .inputs([](Draw& draw) {
+            const auto [atmosphere, eye, direction, to_sun, distance] = view(draw);
+            airlight::SunDisc<float> sun = airlight::solar_disc<float>();
+            sun.sin_edge = draw.magnitude(1e-4F, 1.0F, {0.0F});
+            return std::make_tuple(atmosphere, eye, direction, to_sun, sun);
+        })
+        .count(4096)
+        .left_out(
+            0.35, 0.1,
+            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
+            "points where rounding decides how long the ray or its shadow is")
+        .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
+                const auto& sun) {
+            using R = decltype(run);
+            return airlight::sky_radiance<typename R::T, typename R::Scene>(atmosphere, eye, direction,
+                                                                            to_sun, sun, run.visibility);
+        })
+        .within_bound();
+
+static const bool aerial_perspective_row =
+    row("aerial_perspective")
+        .inputs([](Draw& draw) {
+            return std::tuple_cat(view(draw), std::make_tuple(draw.spectrum(1e-6F, 1e3F)));
+        })
+        .count(4096)
+        .left_out(
+            0.35, 0.1,
+            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
+            "points where rounding decides how long the ray or its shadow is")
+        .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
+                auto distance, const auto& surface) {
+            using R = decltype(run);
+            return airlight::aerial_perspective<typename R::T, typename R::Scene>(
+                atmosphere, eye, direction, to_sun, distance, surface, run.visibility);
+        })
+        .within_bound();
+
+static const bool sky_with_sun_row =
+    row("sky_with_sun")
+        .inputs([](Draw& draw) {
+            const auto [atmosphere, eye, direction, to_sun, distance] = view(draw);
+            airlight::SunDisc<float> sun = airlight::solar_disc<float>();
+            sun.sin_edge = draw.magnitude(1e-4F, 1.0F, {0.0F});
+            const auto air =
+                airlight::Scattered<float>{draw.spectrum(1e-9F, 1.0F), draw.spectrum(1e-6F, 1.0F)};
+            return std::make_tuple(atmosphere, eye, direction, to_sun, sun, air);
+        })
+        .cpu([](const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
+                const auto& sun, const auto& air) {
+            return airlight::sky_with_sun(atmosphere, eye, direction, to_sun, sun, air);
+        })
+        .within_bound();
+
+static const bool without_aerosol_glow_row =
+    row("without_aerosol_glow")
+        .inputs([](Draw& draw) { return std::make_tuple(draw.atmosphere()); })
+        .cpu([](const auto& atmosphere) { return airlight::without_aerosol_glow(atmosphere); })
+        .to_the_bit();
+
+static const bool sun_irradiance_row =
+    row("sun_irradiance")
+        .inputs([](Draw& draw) {
+            const auto atmosphere = draw.atmosphere();
+            const auto place = draw.viewpoint(atmosphere);
+            const auto to_sun = draw.direction_at(
+                place.up, static_cast<double>(draw.grazing_cosine(atmosphere.ground_radius, place.altitude)));
+            return std::make_tuple(atmosphere, place, draw.direction(), to_sun,
+                                   draw.magnitude(1e-4F, 1.0F, {0.0F, 0.00465F}));
+        })
+        .cpu([](auto run, const auto& atmosphere, const auto& place, const auto& normal, const auto& to_sun,
+                auto sin_radius) {
+            using R = decltype(run);
+            return airlight::sun_irradiance<typename R::T, typename R::Scene>(atmosphere, place, normal,
+                                                                              to_sun, sin_radius);
+        })
+        .within_bound();
 
 }  // namespace parity
