@@ -40,7 +40,7 @@ std::vector<bool> disc_pixels(const Frame& frame, const GBuffer& surfaces) {
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
             const bool surface = surfaces.depth[disc.size()] > 0;
-            disc.push_back(!surface && sun_disc(frame, unit(pixel_ray(frame, x, y))) > 0);
+            disc.push_back(!surface && sun_disc(frame, unit(pixel_ray(frame, x, y))) != vec3(0));
         }
     }
     return disc;

@@ -19,10 +19,9 @@ struct Frame {
     vec3 eye_position;    ///< [m] from the landscape's centre at altitude 0; x east, y north, z up
     // The sun.
     vec3 to_sun;
-    vec3 solar_irradiance;   ///< above the air; the unit of every radiance is this one's per sr
-    float disc_inside;       ///< sine of the angle to the sun's centre up to which a pixel is all disc
-    float disc_outside;      ///< sine of the angle from which on it is none
-    float disc_solid_angle;  ///< [sr]
+    vec3 solar_irradiance;  ///< above the air; the unit of every radiance is this one's per sr
+    float sun_sin_radius;   ///< sine of the sun's angular radius
+    float sun_sin_edge;     ///< sine of the angle by which its rim is spread to both sides, half a pixel's
     bool marched;  ///< air by single_scattering_marched, in so many steps per ray; else by single_scattering
     int steps;
     int sky_steps;

@@ -51,9 +51,8 @@ class Uniforms : public support::Uniforms {
         set(name + ".eye_position", f.eye_position);
         set(name + ".to_sun", f.to_sun);
         set(name + ".solar_irradiance", f.solar_irradiance);
-        set(name + ".disc_inside", f.disc_inside);
-        set(name + ".disc_outside", f.disc_outside);
-        set(name + ".disc_solid_angle", f.disc_solid_angle);
+        set(name + ".sun_sin_radius", f.sun_sin_radius);
+        set(name + ".sun_sin_edge", f.sun_sin_edge);
         set(name + ".marched", f.marched ? 1 : 0);
         set(name + ".steps", f.steps);
         set(name + ".sky_steps", f.sky_steps);

@@ -67,9 +67,8 @@ vec3 surface_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame
     const airlight::Viewpoint<float> here =
         airlight::viewpoint_from_surface(atmosphere.ground_radius, position, origin_up);
     const vec3 normal = unit(surface.normal);
-    const float mu_s = glm::clamp(airlight::dot_product(here.up, frame.to_sun), -1.0f, 1.0f);
-    const vec3 sunlight = airlight::transmittance_to_space<float, Scene>(atmosphere, here.altitude, mu_s) *
-                          glm::max(airlight::dot_product(normal, frame.to_sun), 0.0f);
+    const vec3 sunlight =
+        airlight::sun_irradiance<float, Scene>(atmosphere, here, normal, frame.to_sun, frame.sun_sin_radius);
 
     // The whole sky stands in for one look along the normal.
     const vec3 sky =
@@ -84,16 +83,12 @@ vec3 surface_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame
     return radiance;
 }
 
-/// The sun itself: an even disc, its edge spread over a pixel [1/sr].
-inline float sun_disc(const Frame& frame, const vec3& direction) {
-    if (airlight::dot_product(direction, frame.to_sun) <= 0) {
-        return 0;
-    }
-    // The sine of the angle, which for small angles has all the digits that the cosine lacks.
-    const vec3 across = glm::cross(direction, frame.to_sun);
-    const float share = (frame.disc_outside - glm::sqrt(airlight::dot_product(across, across))) /
-                        (frame.disc_outside - frame.disc_inside);
-    return glm::clamp(share, 0.0f, 1.0f) / frame.disc_solid_angle;
+/// The sun itself, above the air [1/sr].
+inline vec3 sun_disc(const Frame& frame, const vec3& direction) {
+    airlight::SunDisc<float> sun = airlight::solar_disc<float>();
+    sun.sin_radius = frame.sun_sin_radius;
+    sun.sin_edge = frame.sun_sin_edge;
+    return airlight::sun_radiance(sun, direction, frame.to_sun);
 }
 
 /// What the pixel shows, through the air, in units of solar_irradiance per sr.
@@ -114,7 +109,7 @@ vec3 pixel_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame& 
         const vec3 position = frame.eye_position + direction * distance;
         behind = surface_radiance<Scene>(atmosphere, frame, surface, position, direction);
     } else {
-        behind = vec3(sun_disc(frame, direction));
+        behind = sun_disc(frame, direction);
     }
     const airlight::Scattered<float> scattered =
         air_light<Scene>(atmosphere, frame, eye, direction, distance, frame.steps);

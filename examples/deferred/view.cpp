@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <airlight/constants.hpp>
+#include <airlight/sun.hpp>
 
 #include "support/error.hpp"
 
@@ -10,8 +11,7 @@ namespace deferred {
 namespace {
 
 constexpr double degree = airlight::pi<double> / 180;
-constexpr double near_distance = 0.1;           // [m] a person's nose is further away
-constexpr double sun_radius = 0.2666 * degree;  // mean, 695 700 km at 149.6 million km
+constexpr double near_distance = 0.1;  // [m] a person's nose is further away
 
 }  // namespace
 
@@ -58,10 +58,8 @@ View make_view(const Camera& camera, const Picturing& picturing, double ground_r
     frame.eye_position = vec3(place.position);
     frame.to_sun = vec3(compass(picturing.sun_azimuth, picturing.sun_elevation));
     frame.solar_irradiance = vec3(1);
-    const double half_edge = std::min(pixel / 2, sun_radius);
-    frame.disc_inside = float(std::sin(sun_radius - half_edge));
-    frame.disc_outside = float(std::sin(sun_radius + half_edge));
-    frame.disc_solid_angle = float(airlight::pi<double> * sun_radius * sun_radius);
+    frame.sun_sin_radius = airlight::solar_sin_radius<float>;
+    frame.sun_sin_edge = float(pixel / 2);
     frame.marched = picturing.marched;
     frame.steps = picturing.steps;
     frame.sky_steps = picturing.sky_steps;

@@ -4,6 +4,7 @@
 #include <airlight/gauss.hpp>
 #include <airlight/numeric.hpp>
 #include <airlight/types.hpp>
+#include <airlight/viewpoint.hpp>
 
 namespace airlight {
 
@@ -193,6 +194,28 @@ T sunlight_past_sphere(const vec3<T>& centre, T radius, const vec3<T>& to_sun, T
     return visible_share_of_light(occultation, limb_exponent);
 }
 
+/// Share of sunlight that passes the ground sphere on its way to a sample of a view ray: a visibility
+/// with the planet's penumbra, for scenes without Scene::planet_shadow, whose edge is sharp.
+///
+/// In GLSL: #define AIRLIGHT_VISIBILITY(position) airlight_sunlight_past_ground(radius, eye, position,
+/// ...); in C++ PastGround.
+///
+/// Units:    ground_radius and position [L], position relative to the eye; to_sun a unit vector;
+///           sin_radius and limb_exponent as in sunlight_past_sphere; result [1].
+/// Domain:   ground_radius > 0; positions whose square is finite.
+/// Accuracy: that of viewpoint_from_surface, occultation_by_ground and visible_share_of_light.
+/// Errors:   none; a sample below the ground counts as on it.
+/// Source:   docs/theory/sun.md.
+template <typename T>
+T sunlight_past_ground(T ground_radius, const Viewpoint<T>& eye, const vec3<T>& position,
+                       const vec3<T>& to_sun, T sin_radius, T limb_exponent) {
+    const Viewpoint<T> place =
+        viewpoint_from_surface(ground_radius, position + eye.altitude * eye.up, eye.up);
+    const T mu_s = glm::clamp(dot_product(place.up, to_sun), T(-1), T(1));
+    const Occultation<T> occultation = occultation_by_ground(ground_radius, place.altitude, mu_s, sin_radius);
+    return visible_share_of_light(occultation, limb_exponent);
+}
+
 /// AIRLIGHT_CPU_ONLY, in GLSL the macro calls sunlight_past_sphere. Hook: the share of sunlight that
 /// passes a sphere on its way to `position` (relative to the eye), in [0, 1]. With it single_scattering
 /// sees an eclipse.
@@ -206,6 +229,21 @@ struct PastSphere {
 
     T operator()(const vec3<T>& position) const {
         return sunlight_past_sphere(centre - position, radius, to_sun, sin_radius, limb_exponent);
+    }
+};
+
+/// AIRLIGHT_CPU_ONLY, in GLSL the macro calls sunlight_past_ground. Hook: the share of sunlight that
+/// passes the ground sphere on its way to `position` (relative to the eye), in [0, 1].
+template <typename T>
+struct PastGround {
+    T ground_radius;   ///< [L]
+    Viewpoint<T> eye;  ///< where positions count from
+    vec3<T> to_sun;    ///< unit vector
+    T sin_radius;      ///< [1] of the sun's angular radius
+    T limb_exponent;   ///< [1] as in visible_share_of_light, 0 for an even sun
+
+    T operator()(const vec3<T>& position) const {
+        return sunlight_past_ground(ground_radius, eye, position, to_sun, sin_radius, limb_exponent);
     }
 };
 

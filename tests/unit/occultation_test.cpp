@@ -8,6 +8,7 @@
 
 #include "promises.hpp"
 #include "samplers.hpp"
+#include "scenes.hpp"
 #include "story.hpp"
 #include "table.hpp"
 
@@ -304,6 +305,49 @@ TEST_CASE_TEMPLATE("a moon's shadow darkens the air it falls on, and no other", 
     CHECK(here < T(0.8L));
     const T ratio = partial.radiance.y / lit.radiance.y;
     CHECK(std::fabs(ratio - here) < T(0.05L));  // the parallax, 100 km in 3480 km, and light low in the air
+}
+
+TEST_CASE_TEMPLATE("a sample's sunlight past the ground is that of its own place", T, float, double) {
+    const T radius = 6360;
+    const Viewpoint<T> eye = {T(400), vec3<T>(T(0), T(0), T(1))};
+    const T sun = T(0.00465L);
+    // At the eye, with the sun's centre on its horizon: half a sun, even or not.
+    const T dip = -std::sqrt(T(400) * (2 * radius + 400)) / (radius + 400);
+    const vec3<T> setting(radius / (radius + 400), T(0), dip);
+    const T half = sunlight_past_ground(radius, eye, vec3<T>(T(0)), setting, sun, T(0));
+    // Roundings of the dip over the sun's radius; and the horizon's bend, 0.00465 times the tangent of the
+    // dip.
+    CHECK(std::fabs(half - T(0.5)) < 64 * std::numeric_limits<T>::epsilon() / sun + T(0.001L));
+    // Straight down on the ground the same sun has long set, and straight up it is high.
+    CHECK(sunlight_past_ground(radius, eye, vec3<T>(T(0), T(0), T(-400)), setting, sun, T(0.5)) == T(0));
+    CHECK(sunlight_past_ground(radius, eye, vec3<T>(T(0), T(0), T(400)), setting, sun, T(0.5)) == T(1));
+}
+
+TEST_CASE(
+    "the planet's penumbra takes less than a hundredth of the air's light, and only at the terminator") {
+    // Straight down from 1000 km, `way` radians before the terminator.
+    const Atmosphere<double> air = earth<double>();
+    const vec3<double> to_sun(1, 0, 0);
+    Worst taken;
+    for (const double way : {-0.1, -0.05, -0.02, 0.0, 0.02, 0.3}) {
+        const vec3<double> up(std::sin(way), 0, std::cos(way));
+        const Viewpoint<double> eye = {1e6, up};
+        const PastGround<double> soft = {air.ground_radius, eye, to_sun, 0.00465, 0.5};
+        const vec3<double> got = single_scattering_marched<double, NoShadow>(air, eye, -up, to_sun,
+                                                                             no_surface<double>(), 4000, soft)
+                                     .radiance;
+        const vec3<double> sharp =
+            single_scattering_marched(air, eye, -up, to_sun, no_surface<double>(), 4000).radiance;
+        if (way > 0.01) {
+            CHECK(got == sharp);  // exact: every sample sees the whole sun
+        }
+        for (int k = 0; k < 3; ++k) {
+            CHECK(got[k] <= sharp[k] * (1 + 1e-12));  // rounding of 4000 terms
+            taken.add(compare_relative("penumbra", {{"way", way}, {"channel", double(k)}}, got[k], sharp[k]));
+        }
+    }
+    taken.print("against the sharp shadow");
+    CHECK_WORST(taken, 0.01L);  // what docs/theory/sun.md says of it
 }
 
 TEST_SUITE_END();

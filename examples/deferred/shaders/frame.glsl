@@ -9,9 +9,8 @@ struct Frame {
     vec3 eye_position;
     vec3 to_sun;
     vec3 solar_irradiance;
-    float disc_inside;
-    float disc_outside;
-    float disc_solid_angle;
+    float sun_sin_radius;
+    float sun_sin_edge;
     bool marched;
     int steps;
     int sky_steps;

@@ -1,8 +1,9 @@
 // What a pixel shows, from what the G-buffer holds: shading.hpp in GLSL, function by function.
+#include "airlight/aerial_perspective.glsl"
 #include "airlight/compose.glsl"
 #include "airlight/constants.glsl"
 #include "airlight/single_scattering.glsl"
-#include "airlight/transmittance.glsl"
+#include "airlight/sun.glsl"
 #include "airlight/viewpoint.glsl"
 
 #include "frame.glsl"
@@ -49,9 +50,8 @@ vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surfa
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
     airlight_Viewpoint here = airlight_viewpoint_from_surface(atmosphere.ground_radius, position, origin_up);
     vec3 normal = unit(surface.normal);
-    float mu_s = clamp(airlight_dot_product(here.up, frame.to_sun), -1.0, 1.0);
-    vec3 sunlight = airlight_transmittance_to_space(atmosphere, here.altitude, mu_s) *
-                    max(airlight_dot_product(normal, frame.to_sun), 0.0);
+    vec3 sunlight =
+        airlight_sun_irradiance(atmosphere, here, normal, frame.to_sun, frame.sun_sin_radius);
 
     vec3 sky =
         air_light(atmosphere, frame, here, normal, airlight_no_surface(), frame.sky_steps).radiance;
@@ -64,14 +64,11 @@ vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surfa
     return radiance;
 }
 
-float sun_disc(Frame frame, vec3 direction) {
-    if (airlight_dot_product(direction, frame.to_sun) <= 0.0) {
-        return 0.0;
-    }
-    vec3 across = cross(direction, frame.to_sun);
-    float share =
-        (frame.disc_outside - sqrt(airlight_dot_product(across, across))) / (frame.disc_outside - frame.disc_inside);
-    return clamp(share, 0.0, 1.0) / frame.disc_solid_angle;
+vec3 sun_disc(Frame frame, vec3 direction) {
+    airlight_SunDisc sun = airlight_solar_disc();
+    sun.sin_radius = frame.sun_sin_radius;
+    sun.sin_edge = frame.sun_sin_edge;
+    return airlight_sun_radiance(sun, direction, frame.to_sun);
 }
 
 vec3 pixel_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface, ivec2 pixel) {
@@ -89,7 +86,7 @@ vec3 pixel_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface
         vec3 position = frame.eye_position + direction * distance;
         behind = surface_radiance(atmosphere, frame, surface, position, direction);
     } else {
-        behind = vec3(sun_disc(frame, direction));
+        behind = sun_disc(frame, direction);
     }
     airlight_Scattered scattered = air_light(atmosphere, frame, eye, direction, distance, frame.steps);
     return airlight_compose(behind * frame.solar_irradiance, scattered, frame.solar_irradiance);

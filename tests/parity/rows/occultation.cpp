@@ -102,4 +102,24 @@ static const bool sunlight_past_sphere_row =
         })
         .within_bound();
 
+static const bool sunlight_past_ground_row =
+    row("sunlight_past_ground")
+        .inputs([](Draw& draw) {
+            const auto atmosphere = draw.atmosphere();
+            const float radius = atmosphere.ground_radius;
+            const auto eye = draw.viewpoint(atmosphere);
+            const auto to_sun =
+                draw.direction_at(eye.up, static_cast<double>(draw.grazing_cosine(radius, eye.altitude)));
+            const float reach = draw.magnitude(1e-6F, 2.0F, {0.0F}) * radius;
+            return std::make_tuple(radius, eye, draw.direction() * reach, to_sun,
+                                   draw.magnitude(1e-4F, 1.0F, {0.0F, 0.00465F}),
+                                   draw.number(0.1F, 2.0F, {0.0F, 0.5F}));
+        })
+        .left_out(0.4, 0.01, "eight discs, each of which touches the other one somewhere")
+        .cpu([](auto radius, const auto& eye, const auto& position, const auto& to_sun, auto sin_radius,
+                auto limb_exponent) {
+            return airlight::sunlight_past_ground(radius, eye, position, to_sun, sin_radius, limb_exponent);
+        })
+        .within_bound();
+
 }  // namespace parity
