@@ -1767,6 +1767,28 @@ float airlight_sunlight_past_sphere(vec3 centre, float radius, vec3 to_sun, floa
     return airlight_visible_share_of_light(occultation, limb_exponent);
 }
 
+// Share of sunlight that passes the ground sphere on its way to a sample of a view ray: a visibility
+// with the planet's penumbra, for scenes without Scene::planet_shadow, whose edge is sharp.
+//
+// In GLSL: #define AIRLIGHT_VISIBILITY(position) airlight_sunlight_past_ground(radius, eye, position,
+// ...); in C++ PastGround.
+//
+// Units:    ground_radius and position [L], position relative to the eye; to_sun a unit vector;
+//           sin_radius and limb_exponent as in sunlight_past_sphere; result [1].
+// Domain:   ground_radius > 0; positions whose square is finite.
+// Accuracy: that of viewpoint_from_surface, occultation_by_ground and visible_share_of_light.
+// Errors:   none; a sample below the ground counts as on it.
+// Source:   docs/theory/sun.md.
+float airlight_sunlight_past_ground(float ground_radius, airlight_Viewpoint eye, vec3 position, vec3 to_sun,
+                                    float sin_radius, float limb_exponent) {
+    airlight_Viewpoint place =
+        airlight_viewpoint_from_surface(ground_radius, position + eye.altitude * eye.up, eye.up);
+    float mu_s = clamp(airlight_dot_product(place.up, to_sun), -1.0, 1.0);
+    airlight_Occultation occultation = airlight_occultation_by_ground(ground_radius, place.altitude, mu_s,
+                                                                      sin_radius);
+    return airlight_visible_share_of_light(occultation, limb_exponent);
+}
+
 // ---- planet_shadow ----------------------------------------------------------
 
 // The sun as a straight line through the air sees it.

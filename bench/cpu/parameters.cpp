@@ -68,6 +68,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float perigee_altitude", "draw.between(0, 1) * draw.altitude"},
     {"float perigee_radius", "atmosphere.ground_radius + draw.between(0, 1) * draw.altitude"},
     {"Viewpoint place", "airlight::Viewpoint<T>{draw.altitude, draw.up}"},
+    {"vec3 sunlight_past_ground.position", "draw.decades(3, 6) * draw.direction"},
     {"vec3 viewpoint_from_centre.position", "(atmosphere.ground_radius + draw.altitude) * draw.up"},
     {"vec3 viewpoint_from_surface.position", "draw.decades(0, 5) * draw.direction"},
     {"float power", "draw.between(0.2, 1.4)"},

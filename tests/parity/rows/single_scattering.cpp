@@ -253,22 +253,4 @@ static const bool without_aerosol_glow_row =
         .cpu([](const auto& atmosphere) { return airlight::without_aerosol_glow(atmosphere); })
         .to_the_bit();
 
-static const bool sun_irradiance_row =
-    row("sun_irradiance")
-        .inputs([](Draw& draw) {
-            const auto atmosphere = draw.atmosphere();
-            const auto place = draw.viewpoint(atmosphere);
-            const auto to_sun = draw.direction_at(
-                place.up, static_cast<double>(draw.grazing_cosine(atmosphere.ground_radius, place.altitude)));
-            return std::make_tuple(atmosphere, place, draw.direction(), to_sun,
-                                   draw.magnitude(1e-4F, 1.0F, {0.0F, 0.00465F}));
-        })
-        .cpu([](auto run, const auto& atmosphere, const auto& place, const auto& normal, const auto& to_sun,
-                auto sin_radius) {
-            using R = decltype(run);
-            return airlight::sun_irradiance<typename R::T, typename R::Scene>(atmosphere, place, normal,
-                                                                              to_sun, sin_radius);
-        })
-        .within_bound();
-
 }  // namespace parity

@@ -1,5 +1,6 @@
 #include "row.hpp"
 // row.hpp first: see bounded.hpp.
+#include <airlight/aerial_perspective.hpp>
 #include <airlight/sun.hpp>
 
 namespace parity {
@@ -107,5 +108,24 @@ static const bool leenman_sun_row = row("leenman_sun")
                                         .inputs([](Draw& draw) { return std::make_tuple(draw.cosine()); })
                                         .cpu([](auto cos_theta) { return airlight::leenman_sun(cos_theta); })
                                         .to_the_bit();
+
+static const bool sun_irradiance_row =
+    row("sun_irradiance")
+        .inputs([](Draw& draw) {
+            const auto atmosphere = draw.atmosphere();
+            const airlight::Viewpoint<float> place{draw.altitude_in_air(atmosphere), draw.direction()};
+            const auto to_sun = draw.direction_at(
+                place.up, static_cast<double>(draw.grazing_cosine(atmosphere.ground_radius, place.altitude)));
+            return std::make_tuple(atmosphere, place, draw.direction(), to_sun,
+                                   draw.magnitude(1e-4F, 1.0F, {0.0F, 0.00465F}));
+        })
+        .left_out(0.35, 0.05, "half of the suns touch the horizon, and some lie exactly on it")
+        .cpu([](auto run, const auto& atmosphere, const auto& place, const auto& normal, const auto& to_sun,
+                auto sin_radius) {
+            using R = decltype(run);
+            return airlight::sun_irradiance<typename R::T, typename R::Scene>(atmosphere, place, normal,
+                                                                              to_sun, sin_radius);
+        })
+        .within_bound();
 
 }  // namespace parity
