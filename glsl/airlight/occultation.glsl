@@ -103,7 +103,7 @@ float airlight_visible_share_of_light(airlight_Occultation occultation, float li
         whole += airlight_gauss_8_weights[i] * area;
         seen += airlight_gauss_8_weights[i] * area * airlight_visible_share(smaller);
     }
-    return seen / whole;
+    return min(seen / whole, 1.0);
 }
 
 // How a far small disc stands to the disc of a sphere.

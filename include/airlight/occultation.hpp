@@ -108,7 +108,7 @@ T visible_share_of_light(const Occultation<T>& occultation, T limb_exponent) {
         whole += gauss_8_weights<T>[i] * area;
         seen += gauss_8_weights<T>[i] * area * visible_share(smaller);
     }
-    return seen / whole;
+    return glm::min(seen / whole, T(1));
 }
 
 /// How a far small disc stands to the disc of a sphere.
