@@ -118,7 +118,8 @@ std::string error_columns(const Kind& kind, const Request& request, const Number
     return columns;
 }
 
-/// A quarter, half, as it is, and double along every axis that has more than one texel.
+/// A quarter, half, as it is, and double along every axis that has more than
+/// one texel.
 std::vector<support::TableSize> sizes_around(const Kind& kind) {
     std::vector<support::TableSize> sizes;
     for (const int quarters : {1, 2, 4, 8}) {
@@ -192,18 +193,23 @@ void write_contract(const std::filesystem::path& path, const std::string& render
     const support::Preset preset = support::preset("earth");
     std::string page =
         "# Tables: what each holds, how far it is off, what it costs\n\n"
-        "Written by `bake_tables --contract docs/tables.md`; do not edit. Measured for Earth on " +
+        "Written by `bake_tables --contract docs/tables.md`; do not edit. "
+        "Measured for Earth on " +
         cpu_name() + " (" + std::to_string(std::thread::hardware_concurrency()) + " threads), OpenGL by " +
         renderer +
-        ".\nTimes are the fastest of a few; a driver that keeps compiled shaders, as this one does, does not "
+        ".\nTimes are the fastest of a few; a driver that keeps compiled "
+        "shaders, as this one does, does not "
         "compile "
         "them again.\n\n"
         "Errors are median / 95 % / largest over " +
         std::to_string(read_places) +
-        " look-ups as a scene would make them, every channel by itself, relative\n"
-        "to the exact function in double, or to a millionth of its largest value where it is less. Every "
+        " look-ups as a scene would make them, every channel by itself, "
+        "relative\n"
+        "to the exact function in double, or to a millionth of its largest value "
+        "where it is less. Every "
         "texture "
-        "is\nfiltered linearly and clamped to the edge. \"Half of the square root\" is `stored_light` of "
+        "is\nfiltered linearly and clamped to the edge. \"Half of the square "
+        "root\" is `stored_light` of "
         "`table_storage.hpp`.\n\n";
     for (const Kind& kind : kinds()) {
         const Request request{preset, kind.size, orders};
@@ -231,9 +237,9 @@ void check_contract(const std::filesystem::path& path) {
         }
     }
     if (found != wanted) {
-        throw support::Error(
-            "'" + path.string() +
-            "' does not have the tables there are; write it anew with bake_tables --contract");
+        throw support::Error("'" + path.string() +
+                             "' does not have the tables there are; write it anew "
+                             "with bake_tables --contract");
     }
 }
 

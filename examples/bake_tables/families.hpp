@@ -11,5 +11,6 @@ namespace bake_tables {
 std::vector<Kind> transmittance_kinds();
 std::vector<Kind> diffuse_kinds();
 std::vector<Kind> hillaire_kinds();
+std::vector<Kind> scattering_kinds();
 
 }  // namespace bake_tables

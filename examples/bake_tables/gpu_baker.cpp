@@ -71,7 +71,7 @@ void GpuBaker::run(const std::string& shader, const std::vector<const GpuTable*>
     uniforms.set("height", size.height);
     uniforms.set("depth", size.depth);
     for (const Setting& setting : settings) {
-        uniforms.set(setting.name, setting.value);
+        std::visit([&](const auto& value) { uniforms.set(setting.name, value); }, setting.value);
     }
     for (std::size_t n = 0; n < targets.size(); ++n) {
         glBindImageTexture(GLuint(n), targets[n]->texture, 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
@@ -81,7 +81,8 @@ void GpuBaker::run(const std::string& shader, const std::vector<const GpuTable*>
         glActiveTexture(GLenum(GL_TEXTURE0 + n));
         glBindTexture(support::table_target(sources[n].table->shape), sources[n].table->texture);
     }
-    // Slice by slice, waiting for each: no driver takes the program for stuck, and the bar moves.
+    // Slice by slice, waiting for each: no driver takes the program for stuck,
+    // and the bar moves.
     for (int slice = 0; slice < slices; ++slice) {
         uniforms.set("slice", slice);
         glDispatchCompute(groups(size.width), groups(size.height), 1);

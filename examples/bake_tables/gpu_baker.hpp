@@ -1,12 +1,14 @@
 #pragma once
 
-// Compute passes that fill tables. A shader holds a function texel(uvw), which calls the same function of the
-// library as the CPU does; shaders/bake.glsl is around it.
+// Compute passes that fill tables. A shader holds a function texel(uvw), which
+// calls the same function of the library as the CPU does; shaders/bake.glsl is
+// around it.
 
 #include <initializer_list>
 #include <map>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "rows.hpp"
@@ -29,10 +31,11 @@ struct Source {
     const GpuTable* table;
 };
 
-/// A whole number under the name that a pass has for it.
+/// A number under the name that a pass has for it, whole where the shader says
+/// int.
 struct Setting {
     std::string name;
-    int value;
+    std::variant<int, float, airlight::vec3<float>> value;
 };
 
 /// Needs a current context of OpenGL 4.3.
@@ -43,14 +46,15 @@ class GpuBaker {
     GpuTable make_table(const support::TableSize& size,
                         support::TableShape shape = support::TableShape::volume) const;
 
-    /// Runs shaders/<shader>.comp for every texel of the targets, which are of one size; at most two.
-    /// `defines` are lines that go before it.
+    /// Runs shaders/<shader>.comp for every texel of the targets, which are of
+    /// one size; at most two. `defines` are lines that go before it.
     void pass(const std::string& shader, const std::vector<const GpuTable*>& targets,
               const std::vector<Source>& sources = {}, const std::vector<Setting>& settings = {},
               const std::string& defines = "");
 
-    /// The same, but once for each column of slices: the shader defines BAKE_COLUMN and column(uvw), and
-    /// stores all slices itself. One target, in layers.
+    /// The same, but once for each column of slices: the shader defines
+    /// BAKE_COLUMN and column(uvw), and stores all slices itself. One target, in
+    /// layers.
     void column_pass(const std::string& shader, const GpuTable& target, const std::vector<Source>& sources,
                      const std::vector<Setting>& settings);
 

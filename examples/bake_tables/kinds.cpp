@@ -9,7 +9,8 @@ namespace bake_tables {
 const std::vector<Kind>& kinds() {
     static const std::vector<Kind> all = [] {
         std::vector<Kind> together;
-        for (const auto& family : {transmittance_kinds(), hillaire_kinds(), diffuse_kinds()}) {
+        for (const auto& family :
+             {transmittance_kinds(), hillaire_kinds(), diffuse_kinds(), scattering_kinds()}) {
             together.insert(together.end(), family.begin(), family.end());
         }
         return together;
@@ -36,6 +37,10 @@ support::TableDescription describe(const Kind& kind, const Request& request) {
     });
     if (kind.has_orders) {
         world["orders"] = std::to_string(request.orders);
+    }
+    if (kind.of_frame) {
+        world["eye_altitude"] = support::number_text(request.eye_altitude);
+        world["sun_elevation"] = support::number_text(request.sun_elevation);
     }
     return support::TableDescription{kind.name,
                                      kind.mapping,

@@ -19,7 +19,9 @@ namespace bake_tables {
 struct Request {
     support::Preset preset;
     support::TableSize size;
-    int orders;  ///< of scattering, for the tables that are made order by order
+    int orders;                 ///< of scattering, for the tables that are made order by order
+    double eye_altitude = 200;  ///< [m] for the tables of one frame
+    double sun_elevation = 20;  ///< [degrees] likewise
 };
 
 /// The numbers of a table, channels side by side, x fastest.
@@ -50,8 +52,10 @@ struct Kind {
     std::vector<std::string> channels;
     std::string remark = "";  ///< for the page of contracts
     bool has_orders = false;
+    bool of_frame = false;  ///< for one eye and sun
     bool may_be_negative = false;
-    bool layered = false;  ///< slices are not filtered into each other, each has a payload of its own
+    bool layered = false;                         ///< slices are not filtered into each other, each has a
+                                                  ///< payload of its own
     support::TableSize small_size = {17, 10, 6};  ///< for tests; where size has a 1, so has the test
     std::string size_rule = "";                   ///< what a size has to be, in words
     std::function<bool(const support::TableSize&)> takes_size = [](const support::TableSize&) {

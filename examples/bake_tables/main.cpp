@@ -28,6 +28,8 @@ struct Options {
     std::string atmosphere = "earth";
     std::string size;
     int orders = 4;
+    double eye_altitude = 200;
+    double sun_elevation = 20;
     std::string format = "half";
     std::string on = "cpu";
     std::string output = ".";
@@ -72,7 +74,8 @@ std::string byte_text(std::size_t bytes) {
 
 void bake(const Kind& kind, const Options& options, bool on_gpu) {
     const Request request{support::preset(options.atmosphere),
-                          options.size.empty() ? kind.size : parsed_size(options.size, kind), options.orders};
+                          options.size.empty() ? kind.size : parsed_size(options.size, kind), options.orders,
+                          options.eye_altitude, options.sun_elevation};
     support::StoredTable table{describe(kind, request), {}};
     const auto begun = std::chrono::steady_clock::now();
     {
@@ -115,7 +118,8 @@ std::string list_of_tables() {
 int main(int argc, char** argv) {
     Options options;
     CLI::App app(
-        "fills tables of light and writes each as <output>/<table>.exr, with what it holds in the header",
+        "fills tables of light and writes each as <output>/<table>.exr, "
+        "with what it holds in the header",
         "bake_tables");
     using support::add_value;
     add_value(app, "--table", "<name>", options.tables,
@@ -128,14 +132,20 @@ int main(int argc, char** argv) {
     add_value(app, "--orders", "<count>", options.orders,
               "of scattering, for tables made order by order (default 4)")
         ->check(CLI::Range(1, 100));
+    add_value(app, "--eye-altitude", "<metres>", options.eye_altitude, "of tables of one frame (default 200)")
+        ->check(CLI::Range(0.0, 1e9));
+    add_value(app, "--sun-elevation", "<degrees>", options.sun_elevation, "likewise (default 20)")
+        ->check(CLI::Range(-90.0, 90.0));
     add_value(app, "--format", "<half|float|root>", options.format,
-              "of the numbers in the file; root is the square root in half, for twilight (default half)")
+              "of the numbers in the file; root is the square root in half, for "
+              "twilight (default half)")
         ->check(CLI::IsMember({"half", "float", "root"}));
     add_value(app, "--on", "<cpu|gpu>", options.on, "what computes, in float (default cpu)")
         ->check(CLI::IsMember({"cpu", "gpu"}));
     add_value(app, "--output", "<folder>", options.output, "made if it is missing (default the current one)");
     add_value(app, "--contract", "<file>", options.contract,
-              "measure every table for Earth and write the page about them instead (docs/tables.md)");
+              "measure every table for Earth and write the page about them "
+              "instead (docs/tables.md)");
     add_value(app, "--check-contract", "<file>", options.check,
               "see that this page has every table, and stop");
     app.footer(list_of_tables());

@@ -1,0 +1,2 @@
+#define BAKE_FIRST_ORDER
+#include "scattering_incident.comp"
