@@ -1,7 +1,6 @@
 #pragma once
 
-// From a preset, known when the program runs, to the scene that tables are
-// compiled for.
+// From a preset, known when the program runs, to the scene that tables are compiled for.
 
 #include <airlight/scene.hpp>
 #include <airlight/tables/table.hpp>
@@ -62,8 +61,7 @@ std::vector<T> by_scene(const support::Preset& preset, const Bake& bake) {
     }
 }
 
-/// Gives a kind its bakes on the CPU: bake(scene, atmosphere, request, rows),
-/// for float and double.
+/// Gives a kind its bakes on the CPU: bake(scene, atmosphere, request, rows), for float and double.
 template <typename Bake>
 void bake_on_cpu(Kind& kind, const Bake& bake) {
     kind.on_cpu = [bake](const Request& request, const Rows& rows) {
@@ -80,8 +78,7 @@ void bake_on_cpu(Kind& kind, const Bake& bake) {
 template <typename Air>
 using scalar_of = decltype(Air::mie_g);
 
-/// The same for a table whose texels know nothing of each other: texel(scene,
-/// atmosphere, uvw, size).
+/// The same for a table whose texels know nothing of each other: texel(scene, atmosphere, uvw, size).
 template <typename TexelAt>
 void bake_each_alone(Kind& kind, const TexelAt& texel) {
     bake_on_cpu(kind, [texel](auto scene, const auto& air, const Request& request, const Rows& rows) {
@@ -98,8 +95,7 @@ void bake_each_alone(Kind& kind, const TexelAt& texel) {
     });
 }
 
-/// Gives a kind its comparison: compare(scene, atmosphere, request, look_up,
-/// draws, out) for each place.
+/// Gives a kind its comparison: compare(scene, atmosphere, request, look_up, draws, out) for each place.
 template <typename Compare>
 void compare_each(Kind& kind, const Compare& compare) {
     kind.compare = [compare](const Request& request, const LookUp& look_up, const PlaceChoice& choice) {

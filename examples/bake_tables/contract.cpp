@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <sstream>
 #include <thread>
 
@@ -118,8 +119,7 @@ std::string error_columns(const Kind& kind, const Request& request, const Number
     return columns;
 }
 
-/// A quarter, half, as it is, and double along every axis that has more than
-/// one texel.
+/// A quarter, half, as it is, and double along every axis that has more than one texel.
 std::vector<support::TableSize> sizes_around(const Kind& kind) {
     std::vector<support::TableSize> sizes;
     for (const int quarters : {1, 2, 4, 8}) {
@@ -187,31 +187,53 @@ std::string section(const Kind& kind, const support::Preset& preset, double cpu,
     return page;
 }
 
+/// The sections of a page by their tables' names, or nothing. Each ends in one empty line.
+std::map<std::string, std::string> sections_of(const std::filesystem::path& path) {
+    std::map<std::string, std::string> sections;
+    if (!std::filesystem::exists(path)) {
+        return sections;
+    }
+    std::istringstream lines(support::read_file(path) + "\n");
+    std::string name;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.compare(0, 3, "## ") == 0) {
+            name = line.substr(3);
+        }
+        if (!name.empty()) {
+            sections[name] += line + "\n";
+        }
+    }
+    return sections;
+}
+
 }  // namespace
 
-void write_contract(const std::filesystem::path& path, const std::string& renderer) {
+void write_contract(const std::filesystem::path& path, const std::string& renderer,
+                    const std::vector<std::string>& names) {
+    const std::map<std::string, std::string> kept = sections_of(path);
     const support::Preset preset = support::preset("earth");
     std::string page =
         "# Tables: what each holds, how far it is off, what it costs\n\n"
-        "Written by `bake_tables --contract docs/tables.md`; do not edit. "
-        "Measured for Earth on " +
+        "Written by `bake_tables --contract docs/tables.md`; do not edit. Measured for Earth on " +
         cpu_name() + " (" + std::to_string(std::thread::hardware_concurrency()) + " threads), OpenGL by " +
         renderer +
-        ".\nTimes are the fastest of a few; a driver that keeps compiled "
-        "shaders, as this one does, does not "
+        ".\nTimes are the fastest of a few; a driver that keeps compiled shaders, as this one does, does not "
         "compile "
         "them again.\n\n"
         "Errors are median / 95 % / largest over " +
         std::to_string(read_places) +
-        " look-ups as a scene would make them, every channel by itself, "
-        "relative\n"
-        "to the exact function in double, or to a millionth of its largest value "
-        "where it is less. Every "
+        " look-ups as a scene would make them, every channel by itself, relative\n"
+        "to the exact function in double, or to a millionth of its largest value where it is less. Every "
         "texture "
-        "is\nfiltered linearly and clamped to the edge. \"Half of the square "
-        "root\" is `stored_light` of "
+        "is\nfiltered linearly and clamped to the edge. \"Half of the square root\" is `stored_light` of "
         "`table_storage.hpp`.\n\n";
     for (const Kind& kind : kinds()) {
+        const auto before = kept.find(kind.name);
+        const bool chosen = names.empty() || std::find(names.begin(), names.end(), kind.name) != names.end();
+        if (!chosen && before != kept.end()) {
+            page += before->second;
+            continue;
+        }
         const Request request{preset, kind.size, orders};
         const double cpu = fastest([&] { kind.on_cpu(request, Rows(kind.name + " on the CPU")); });
         const double gpu = fastest([&] {
@@ -237,9 +259,9 @@ void check_contract(const std::filesystem::path& path) {
         }
     }
     if (found != wanted) {
-        throw support::Error("'" + path.string() +
-                             "' does not have the tables there are; write it anew "
-                             "with bake_tables --contract");
+        throw support::Error(
+            "'" + path.string() +
+            "' does not have the tables there are; write it anew with bake_tables --contract");
     }
 }
 

@@ -81,8 +81,7 @@ void GpuBaker::run(const std::string& shader, const std::vector<const GpuTable*>
         glActiveTexture(GLenum(GL_TEXTURE0 + n));
         glBindTexture(support::table_target(sources[n].table->shape), sources[n].table->texture);
     }
-    // Slice by slice, waiting for each: no driver takes the program for stuck,
-    // and the bar moves.
+    // Slice by slice, waiting for each: no driver takes the program for stuck, and the bar moves.
     for (int slice = 0; slice < slices; ++slice) {
         uniforms.set("slice", slice);
         glDispatchCompute(groups(size.width), groups(size.height), 1);

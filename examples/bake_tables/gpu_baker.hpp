@@ -1,8 +1,7 @@
 #pragma once
 
-// Compute passes that fill tables. A shader holds a function texel(uvw), which
-// calls the same function of the library as the CPU does; shaders/bake.glsl is
-// around it.
+// Compute passes that fill tables. A shader holds a function texel(uvw), which calls the same function of the
+// library as the CPU does; shaders/bake.glsl is around it.
 
 #include <initializer_list>
 #include <map>
@@ -31,8 +30,7 @@ struct Source {
     const GpuTable* table;
 };
 
-/// A number under the name that a pass has for it, whole where the shader says
-/// int.
+/// A number under the name that a pass has for it, whole where the shader says int.
 struct Setting {
     std::string name;
     std::variant<int, float, airlight::vec3<float>> value;
@@ -46,15 +44,14 @@ class GpuBaker {
     GpuTable make_table(const support::TableSize& size,
                         support::TableShape shape = support::TableShape::volume) const;
 
-    /// Runs shaders/<shader>.comp for every texel of the targets, which are of
-    /// one size; at most two. `defines` are lines that go before it.
+    /// Runs shaders/<shader>.comp for every texel of the targets, which are of one size; at most two.
+    /// `defines` are lines that go before it.
     void pass(const std::string& shader, const std::vector<const GpuTable*>& targets,
               const std::vector<Source>& sources = {}, const std::vector<Setting>& settings = {},
               const std::string& defines = "");
 
-    /// The same, but once for each column of slices: the shader defines
-    /// BAKE_COLUMN and column(uvw), and stores all slices itself. One target, in
-    /// layers.
+    /// The same, but once for each column of slices: the shader defines BAKE_COLUMN and column(uvw), and
+    /// stores all slices itself. One target, in layers.
     void column_pass(const std::string& shader, const GpuTable& target, const std::vector<Source>& sources,
                      const std::vector<Setting>& settings);
 

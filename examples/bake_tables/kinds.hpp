@@ -54,8 +54,7 @@ struct Kind {
     bool has_orders = false;
     bool of_frame = false;  ///< for one eye and sun
     bool may_be_negative = false;
-    bool layered = false;                         ///< slices are not filtered into each other, each has a
-                                                  ///< payload of its own
+    bool layered = false;  ///< slices are not filtered into each other, each has a payload of its own
     support::TableSize small_size = {17, 10, 6};  ///< for tests; where size has a 1, so has the test
     std::string size_rule = "";                   ///< what a size has to be, in words
     std::function<bool(const support::TableSize&)> takes_size = [](const support::TableSize&) {

@@ -39,17 +39,16 @@ Numbers diffuse_on_gpu(const Request& request, GpuBaker& gpu) {
 }
 
 Kind diffuse() {
-    Kind kind{"diffuse",
-              "light from all sides: multiple scattering, ground bounce and sky "
-              "irradiance of all orders, with "
-              "where it comes from",
-              {64, 16, layers},
-              "diffuse_table_uv",
-              "seven layers of DiffuseTexels, three of IrradianceTexels, see "
-              "diffuse_table.hpp; layers are not "
-              "filtered",
-              "logarithms of 1/sr and of 1, and ratios",
-              {"R", "G", "B", "A"}};
+    Kind kind{
+        "diffuse",
+        "light from all sides: multiple scattering, ground bounce and sky irradiance of all orders, with "
+        "where it comes from",
+        {64, 16, layers},
+        "diffuse_table_uv",
+        "seven layers of DiffuseTexels, three of IrradianceTexels, see diffuse_table.hpp; layers are not "
+        "filtered",
+        "logarithms of 1/sr and of 1, and ratios",
+        {"R", "G", "B", "A"}};
     kind.has_orders = true;
     kind.may_be_negative = true;
     kind.layered = true;
@@ -87,11 +86,9 @@ Kind diffuse() {
         add(all, sky.down, exact.irradiance.down);
     });
     kind.remark =
-        "The errors are those of the mean radiance and of the "
-        "irradiance of a level surface, by the first "
+        "The errors are those of the mean radiance and of the irradiance of a level surface, by the first "
         "order of "
-        "scattering.\nHalf precision has its place in the payload "
-        "itself: logarithms and ratios.";
+        "scattering.\nHalf precision has its place in the payload itself: logarithms and ratios.";
     return kind;
 }
 

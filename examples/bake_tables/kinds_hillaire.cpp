@@ -11,16 +11,15 @@ using airlight::vec2;
 using airlight::vec3;
 
 Kind hillaire() {
-    Kind kind{"hillaire",
-              "Hillaire's table: light of all orders from the second on, as if "
-              "it came alike from all sides",
-              {32, 32, 1},
-              "altitude_sun_uv",
-              "mean radiance of light scattered at least once; times the "
-              "scattering coefficient the source of all "
-              "orders from the second on",
-              "1/sr, per unit of solar irradiance above the air",
-              {"R", "G", "B"}};
+    Kind kind{
+        "hillaire",
+        "Hillaire's table: light of all orders from the second on, as if it came alike from all sides",
+        {32, 32, 1},
+        "altitude_sun_uv",
+        "mean radiance of light scattered at least once; times the scattering coefficient the source of all "
+        "orders from the second on",
+        "1/sr, per unit of solar irradiance above the air",
+        {"R", "G", "B"}};
     const auto texel = [](auto scene, const auto& air, auto altitude, auto mu_s) {
         const airlight::HillaireEffort effort;
         return airlight::hillaire_texel<decltype(altitude), decltype(scene)>(
@@ -50,8 +49,7 @@ Kind hillaire() {
         add(all, look_up(vec3<double>(at, 0.5)), texel(scene, air, altitude, mu_s));
     });
     kind.remark =
-        "The errors are those against the same sum of as many "
-        "directions without a table; what the method "
+        "The errors are those against the same sum of as many directions without a table; what the method "
         "itself "
         "is off by\nis not among them.";
     return kind;

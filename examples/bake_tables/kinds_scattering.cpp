@@ -11,8 +11,7 @@ namespace {
 using airlight::vec2;
 using airlight::vec3;
 
-// Of the four-dimensional table's width; how many suns and angles there are is
-// not free on the command line.
+// Of the four-dimensional table's width; how many suns and angles there are is not free on the command line.
 constexpr int nus = 8;
 constexpr int directions = 2 * airlight::DefaultScene::nodes * 16;
 
@@ -49,8 +48,7 @@ struct GpuOrders {
     GpuTable irradiance;
 };
 
-/// Order by order, in the same passes as airlight::bake_scattering. `shape`
-/// names the mapping in the shaders.
+/// Order by order, in the same passes as airlight::bake_scattering. `shape` names the mapping in the shaders.
 GpuOrders orders_on_gpu(const Request& request, GpuBaker& gpu, const std::string& shape,
                         const std::vector<Setting>& sizes, int altitudes, int suns) {
     const support::TableSize small{64, 16, 1};
@@ -121,8 +119,7 @@ std::vector<Setting> bruneton_sizes(const support::TableSize& size) {
 }
 
 const std::string scattering_payload =
-    "light scattered once by molecules and by aerosol, without phase functions "
-    "[1]; radiance of orders 2 and "
+    "light scattered once by molecules and by aerosol, without phase functions [1]; radiance of orders 2 and "
     "up "
     "[1/sr]";
 const std::vector<std::string> scattering_channels = {
@@ -130,8 +127,7 @@ const std::vector<std::string> scattering_channels = {
     "mie.B",      "multiple.R", "multiple.G", "multiple.B",
 };
 
-/// Radiance of order 1 as a scene would ask for it, from a table and without
-/// one.
+/// Radiance of order 1 as a scene would ask for it, from a table and without one.
 template <typename Scene, typename Read>
 void compare_first_order(const airlight::Atmosphere<double>& air, Draws& draws, Compared& all,
                          const Read& read) {
@@ -153,8 +149,7 @@ void compare_first_order(const airlight::Atmosphere<double>& air, Draws& draws, 
 
 Kind inscatter3d() {
     Kind kind{"inscatter3d",
-              "light scattered towards a point over altitude, view and sun, "
-              "order by order; no azimuth",
+              "light scattered towards a point over altitude, view and sun, order by order; no azimuth",
               {32, 128, 64},
               "inscatter_uvw",
               scattering_payload,
@@ -186,22 +181,21 @@ Kind inscatter3d() {
             });
     });
     kind.remark =
-        "The errors are those of the radiance of order 1, phase "
-        "functions included; most of them come from "
+        "The errors are those of the radiance of order 1, phase functions included; most of them come from "
         "leaving out the\nazimuth, which no size mends.";
     return kind;
 }
 
 Kind bruneton() {
-    Kind kind{"bruneton",
-              "Bruneton's table: light scattered towards a point over altitude, "
-              "view, sun and the angle between "
-              "these, order by order",
-              {256, 128, 32},
-              "scattering_lookup",
-              scattering_payload,
-              "1 and 1/sr, per unit of solar irradiance above the air",
-              scattering_channels};
+    Kind kind{
+        "bruneton",
+        "Bruneton's table: light scattered towards a point over altitude, view, sun and the angle between "
+        "these, order by order",
+        {256, 128, 32},
+        "scattering_lookup",
+        scattering_payload,
+        "1 and 1/sr, per unit of solar irradiance above the air",
+        scattering_channels};
     kind.has_orders = true;
     kind.small_size = {24, 8, 5};
     kind.size_rule = "give a width of 8 times the number of suns, and an even height";
@@ -235,16 +229,13 @@ Kind bruneton() {
                 return mixed;
             });
     });
-    kind.remark =
-        "The errors are those of the radiance of order 1, phase "
-        "functions included.";
+    kind.remark = "The errors are those of the radiance of order 1, phase functions included.";
     return kind;
 }
 
 Kind irradiance() {
     Kind kind{"irradiance",
-              "irradiance of a level surface by the sky, all orders of "
-              "inscatter3d, without the sun itself",
+              "irradiance of a level surface by the sky, all orders of inscatter3d, without the sun itself",
               {64, 16, 1},
               "altitude_sun_uv",
               "irradiance of a level surface by scattered light",

@@ -22,15 +22,14 @@ auto one_pass(const std::string& shader, int channels) {
 }
 
 Kind slants() {
-    Kind kind{"slants",
-              "share of light that reaches space, as what a guess at Chapman's "
-              "function lacks; ignores the ground",
-              {64, 32, 1},
-              "slant_uv",
-              "by how much the air on a slanted path exceeds slant_guess: of "
-              "molecules, of aerosol",
-              "1",
-              {"rayleigh", "mie"}};
+    Kind kind{
+        "slants",
+        "share of light that reaches space, as what a guess at Chapman's function lacks; ignores the ground",
+        {64, 32, 1},
+        "slant_uv",
+        "by how much the air on a slanted path exceeds slant_guess: of molecules, of aerosol",
+        "1",
+        {"rayleigh", "mie"}};
     kind.may_be_negative = true;
     bake_each_alone(kind, [](auto scene, const auto& air, const auto& uvw, const support::TableSize& size) {
         using T = scalar_of<std::decay_t<decltype(air)>>;
@@ -53,16 +52,13 @@ Kind slants() {
             airlight::transmittance<double, decltype(scene)>(air, altitude, mu,
                                                              airlight::no_surface<double>()));
     });
-    kind.remark =
-        "The errors are those of the transmittance, by "
-        "`transmittance_from_slants`.";
+    kind.remark = "The errors are those of the transmittance, by `transmittance_from_slants`.";
     return kind;
 }
 
 Kind transmittance() {
     Kind kind{"transmittance",
-              "share of light that reaches space, in Bruneton's mapping; ignores the "
-              "ground",
+              "share of light that reaches space, in Bruneton's mapping; ignores the ground",
               {256, 64, 1},
               "transmittance_uv",
               "share of light that passes from a point to space, were there no ground",
@@ -91,12 +87,10 @@ Kind transmittance() {
 
 Kind extinction() {
     Kind kind{"extinction",
-              "share of light that reaches space, plainly over altitude and "
-              "angle; 0 behind the planet",
+              "share of light that reaches space, plainly over altitude and angle; 0 behind the planet",
               {256, 256, 1},
               "extinction_uv",
-              "share of light that passes from a point to space, 0 where the "
-              "planet is in the way",
+              "share of light that passes from a point to space, 0 where the planet is in the way",
               "1",
               {"R", "G", "B"}};
     bake_each_alone(kind, [](auto scene, const auto& air, const auto& uvw, const support::TableSize& size) {

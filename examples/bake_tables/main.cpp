@@ -118,8 +118,7 @@ std::string list_of_tables() {
 int main(int argc, char** argv) {
     Options options;
     CLI::App app(
-        "fills tables of light and writes each as <output>/<table>.exr, "
-        "with what it holds in the header",
+        "fills tables of light and writes each as <output>/<table>.exr, with what it holds in the header",
         "bake_tables");
     using support::add_value;
     add_value(app, "--table", "<name>", options.tables,
@@ -137,15 +136,14 @@ int main(int argc, char** argv) {
     add_value(app, "--sun-elevation", "<degrees>", options.sun_elevation, "likewise (default 20)")
         ->check(CLI::Range(-90.0, 90.0));
     add_value(app, "--format", "<half|float|root>", options.format,
-              "of the numbers in the file; root is the square root in half, for "
-              "twilight (default half)")
+              "of the numbers in the file; root is the square root in half, for twilight (default half)")
         ->check(CLI::IsMember({"half", "float", "root"}));
     add_value(app, "--on", "<cpu|gpu>", options.on, "what computes, in float (default cpu)")
         ->check(CLI::IsMember({"cpu", "gpu"}));
     add_value(app, "--output", "<folder>", options.output, "made if it is missing (default the current one)");
-    add_value(app, "--contract", "<file>", options.contract,
-              "measure every table for Earth and write the page about them "
-              "instead (docs/tables.md)");
+    add_value(
+        app, "--contract", "<file>", options.contract,
+        "write the page about tables instead (docs/tables.md), measured for Earth: all or those of --table");
     add_value(app, "--check-contract", "<file>", options.check,
               "see that this page has every table, and stop");
     app.footer(list_of_tables());
@@ -156,7 +154,7 @@ int main(int argc, char** argv) {
         }
         if (!options.contract.empty()) {
             const support::GlContext gl(4, 3);
-            write_contract(options.contract, gl.renderer());
+            write_contract(options.contract, gl.renderer(), options.tables);
             return 0;
         }
         std::vector<const Kind*> chosen;

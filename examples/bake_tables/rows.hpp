@@ -1,7 +1,6 @@
 #pragma once
 
-// How the CPU goes through the rows of a table: on all its cores, and telling
-// how far it is.
+// How the CPU goes through the rows of a table: on all its cores, and telling how far it is.
 
 #include <atomic>
 #include <functional>
@@ -13,8 +12,8 @@
 
 namespace bake_tables {
 
-/// rows(count, body) for airlight::bake_table. A table made in several passes
-/// calls it once for each, and says at the start how many there are.
+/// rows(count, body) for airlight::bake_table. A table made in several passes calls it once for each, and
+/// says at the start how many there are.
 class Rows {
   public:
     /// Without a name there is no bar.
