@@ -27,7 +27,7 @@
 //     L = p_R(nu) R + p_M(nu) M + L_multiple
 //
 // The higher orders come as radiance: they are too even to gain from a phase function, and divided by one
-// and interpolated they are three times as wrong.
+// they are interpolated worse.
 //
 // Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr]. scattered_rayleigh and scattered_mie are the
 //           parts of single_inscatter [1], multiple_radiance is a sum of next_order_radiance [1/sr].

@@ -34,8 +34,8 @@ struct InscatterShape {
     int sun_of(int, int k) const {
         return k;
     }
-    /// What a texel stands for: the sun at right angles to the view's azimuth, half way between the two
-    /// that differ most.
+    /// What a texel stands for: the sun at right angles to the view's azimuth, half way between the two that
+    /// differ most.
     ScatteringPoint<T> point(int i, int j, int k) const {
         const vec3<T> centre((T(i) + T(0.5)) / T(width()), (T(j) + T(0.5)) / T(height()),
                              (T(k) + T(0.5)) / T(depth()));

@@ -1,7 +1,7 @@
 #pragma once
 
-// CPU only. Tables of scattered light, made order by order: what inscatter.hpp
-// (three dimensions) and bruneton.hpp (four) have in common.
+// CPU only. Tables of scattered light, made order by order: what inscatter.hpp (three dimensions) and
+// bruneton.hpp (four) have in common.
 
 #include <airlight/scattering_mapping.hpp>
 #include <airlight/scattering_of_table.hpp>
@@ -11,8 +11,7 @@
 
 namespace airlight {
 
-/// What a bake leaves behind, for the three hooks of radiance_of_table and for
-/// surfaces.
+/// What a bake leaves behind, for the three hooks of radiance_of_table and for surfaces.
 template <typename T>
 struct ScatteringTables {
     Table<vec3<T>> rayleigh;    ///< [1] order 1 by molecules, without phase function
@@ -22,23 +21,21 @@ struct ScatteringTables {
                                 ///< without the sun itself
 };
 
-/// How a bake shows an order's table if nobody looks.
+/// What looks at every order of a bake if nobody else does.
 struct KeepNothing {
     template <typename T>
     void operator()(int, const Table<vec3<T>>&) const {}
 };
 
-/// How many orders a bake has how many passes for; every pass calls `rows`
-/// once.
+/// How many passes a bake of `orders` orders makes; every pass calls `rows` once.
 constexpr int passes_of_bake(int orders) {
     return orders < 2 ? 2 : 2 + 4 * (orders - 1);
 }
 
 namespace detail {
 
-/// The light from every direction of sphere_direction, for every altitude and sun
-/// of a table. It is the same for all views, of which a table has hundreds for
-/// each altitude and sun.
+/// The light from every direction of sphere_direction, for every altitude and sun of a table. It is the same
+/// for all views, of which a table has hundreds for each altitude and sun.
 template <typename T, typename Scene>
 struct IncidentTable {
     int suns;
@@ -93,14 +90,12 @@ struct DirectIrradianceHook {
     }
 };
 
-/// Fills the tables of a shape with `orders` orders of scattering. Scene::nodes
-/// is how many samples each leg of a ray has, and how many polar angles each
-/// half of the sphere: with 16 of them sharp aerosol keeps its energy (within
-/// 0.7 % for g = 0.8), with 8 it may lose or gain an eighth.
+/// Fills the tables of a shape with `orders` orders of scattering. Scene::nodes is how many samples each leg
+/// of a ray has, and how many polar angles each half of the sphere: with 16 of them sharp aerosol keeps its
+/// energy (within 0.8 % for g = 0.8), with 8 it may gain or lose 14 %.
 ///
-/// rows(count, body) as in bake_table; each_order(k, table) is shown the
-/// radiance of every order from the second on, in [1/sr], before the next one
-/// takes its place.
+/// rows(count, body) as in bake_table; each_order(k, table) is shown the radiance of every order from the
+/// second on, in [1/sr], before the next one takes its place.
 template <typename Scene = DefaultScene, typename T, typename Shape, typename Rows = OneAfterAnother,
           typename EachOrder = KeepNothing>
 ScatteringTables<T> bake_scattering(const Atmosphere<T>& atmosphere, const Shape& shape, int orders,
