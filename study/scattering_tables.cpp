@@ -38,6 +38,11 @@ struct Settings {
     std::string write;
     std::string only;
     int orders = 4;
+    int altitudes = 32;
+    int views = 128;
+    int suns = 0;  ///< 0: 64 in three dimensions, 32 in four
+    int nus = 8;
+    double lowest_sun = -90;  ///< [degrees] -90: lowest_sun_cosine's
     bool quick = false;
 };
 
@@ -151,11 +156,14 @@ template <typename T>
 void add_all(std::vector<Result>& results, const Settings& settings, const std::vector<PathTraced>& views) {
     airlight::InscatterShape<T> three{airlight::earth<T>()};
     airlight::BrunetonShape<T> four{airlight::earth<T>()};
-    if (settings.quick) {
-        three.altitudes = four.altitudes = 8;
-        three.views = four.views = 24;
-        three.suns = four.suns = 12;
-        four.nus = 4;
+    three.altitudes = four.altitudes = settings.quick ? 8 : settings.altitudes;
+    three.views = four.views = settings.quick ? 24 : settings.views;
+    four.nus = settings.quick ? 4 : settings.nus;
+    if (settings.quick || settings.suns > 0) {
+        three.suns = four.suns = settings.quick ? 12 : settings.suns;
+    }
+    if (settings.lowest_sun > -90) {
+        three.lowest_sun = four.lowest_sun = T(std::sin(settings.lowest_sun * airlight::pi<double> / 180));
     }
     add<T>(results, "altitude, view, sun", three, settings, views);
     add<T>(results, "Bruneton", four, settings, views);
@@ -233,6 +241,26 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 1000));
     support::add_value(app, "--only", "<text>", settings.only,
                        "tables whose name and scalar hold this: 'sun float', 'Bruneton', 'double'");
+    support::add_value(app, "--altitudes", "<count>", settings.altitudes, "of the tables (default 32)")
+        ->check(CLI::Range(2, 1024));
+    const CLI::Validator even(
+        [](std::string& text) {
+            int count = 0;
+            return CLI::detail::lexical_cast(text, count) && count >= 4 && count <= 4096 && count % 2 == 0
+                       ? std::string()
+                       : "needs an even number from 4 to 4096, not '" + text + "'";
+        },
+        "");
+    support::add_value(app, "--views", "<count>", settings.views, "half of them to the ground (default 128)")
+        ->check(even);
+    support::add_value(app, "--suns", "<count>", settings.suns,
+                       "(default 64 in three dimensions, 32 in four)")
+        ->check(CLI::Range(2, 1024));
+    support::add_value(app, "--nus", "<count>", settings.nus, "angles between view and sun (default 8)")
+        ->check(CLI::Range(2, 256));
+    support::add_value(app, "--lowest-sun", "<degrees>", settings.lowest_sun,
+                       "that the tables know, as -12 (default: where the last light is gone, -20)")
+        ->check(CLI::Range(-90.0, -1.0));
     support::add_switch(app, "--quick", settings.quick, "small tables: does it run?");
     support::add_value(app, "--write", "<file>", settings.write, "the figures as CSV");
     support::add_value(app, "--reference", "<file>", settings.table,
