@@ -5170,6 +5170,217 @@ airlight_Scattered airlight_scattering_of_table(airlight_Atmosphere atmosphere, 
     return airlight_Scattered(clamp(whole - transmitted * behind, nothing, whole), transmitted);
 }
 
+// ---- sky_view_table ---------------------------------------------------------
+
+// By how much a cosine has to exceed the horizon's for a ray to pass the ground in float [1]: ten roundoffs
+// of 1, a tenth of a second of arc.
+const float airlight_past_the_horizon = 6e-7;
+
+// The scene of a sky view: the vertical is z, the sun stands over x.
+struct airlight_SkyRay {
+    airlight_Viewpoint eye;  // over the z axis
+    vec3 direction;          // unit vector
+    vec3 to_sun;             // unit vector
+    float distance;          // [L] at which the view ends at the latest
+};
+
+// The ray of a texel. Whether it ends on the ground is what the table says, not what rounding makes of a ray
+// that grazes the horizon: one past it is lifted by past_the_horizon, one to the ground ends there at the
+// latest.
+//
+// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; lengths of the result [L].
+// Domain:   every altitude, below the ground it counts as 0; mu_s in [-1, 1]; seen is sky_view_parameters'.
+// Accuracy: 8 roundoffs.
+// Errors:   none.
+// Source:   sky_direction.
+airlight_SkyRay airlight_sky_view_ray(airlight_Atmosphere atmosphere, float altitude, float mu_s,
+                                      airlight_SkyDirection seen) {
+    float radius = atmosphere.ground_radius;
+    float above = max(altitude, 0.0);
+    vec3 up = vec3(0.0, 0.0, 1.0);
+    float cosine = airlight_table_cosine(mu_s);
+    vec3 to_sun = vec3(airlight_safe_sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine);
+    float horizon = airlight_horizon_cosine(radius, above);
+    float past = airlight_table_cosine(max(seen.mu, horizon + airlight_past_the_horizon));
+    float mu = seen.reaches_ground ? min(seen.mu, horizon) : past;
+    float distance = seen.reaches_ground ? airlight_horizon_distance(radius, above) : airlight_no_surface();
+    return airlight_SkyRay(airlight_Viewpoint(above, up),
+                           airlight_sky_direction(up, to_sun, mu, seen.azimuth_cosine), to_sun, distance);
+}
+
+// What a texel of a sky view holds: the radiance of the air along its ray.
+//
+// Units:    those of sky_view_ray; result [1/sr] per unit of solar irradiance above the air.
+// Shape:    the result is a spectrum.
+// Domain:   that of sky_view_ray.
+// Accuracy: that of all_scattering.
+// Errors:   none.
+// Source:   all_scattering.
+vec3 airlight_sky_view_texel(airlight_Atmosphere atmosphere, float altitude, float mu_s,
+                             airlight_SkyDirection seen) {
+    airlight_SkyRay ray = airlight_sky_view_ray(atmosphere, altitude, mu_s, seen);
+    airlight_Scattered light = airlight_all_scattering(atmosphere, ray.eye, ray.direction, ray.to_sun,
+                                                       ray.distance);
+    return light.radiance;
+}
+
+// Where the sky in a direction is read.
+//
+// Units:    altitude [L] of the eye; up, direction and to_sun unit vectors; width and height in texels;
+// result
+//           [1], in [0, 1].
+// Domain:   the eye for which the table was baked; width and height >= 1, height even.
+// Accuracy: that of sky_view_uv.
+// Errors:   none.
+// Source:   sky_view_uv; the ground as view_path sees it.
+vec2 airlight_sky_view_place(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
+                             vec3 to_sun, int width, int height) {
+    airlight_AirRay ray = airlight_air_ray(atmosphere, eye, direction, airlight_no_surface());
+    return airlight_sky_view_uv(atmosphere.ground_radius, eye.altitude,
+                                airlight_dot_product(eye.up, direction),
+                                airlight_sun_azimuth_cosine(eye.up, direction, to_sun), ray.reaches_ground,
+                                width, height);
+}
+
+// ---- froxel_table -----------------------------------------------------------
+
+// Hook: the froxels at texture coordinates, filtered over the screen and read at the centres of slices.
+// Without them there is no air.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_FROXEL_TABLE
+#define AIRLIGHT_FROXEL_TABLE(uvw) (airlight_FroxelAir(vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, 0.0)))
+#endif
+
+// The view rays of a camera with a flat screen.
+struct airlight_CameraRays {
+    vec3 centre;  // through the middle of the screen, a unit vector
+    vec3 right;   // from there to its right edge: the tangent of half its width's angle long
+    vec3 up;      // from there to its upper edge
+};
+
+// The unit vector through a point of the screen.
+//
+// Units:    screen [1], 0 left and 1 right, 0 below and 1 above; result a unit vector.
+// Domain:   every camera.
+// Accuracy: 8 roundoffs, and those of a sum that cancels.
+// Errors:   a camera that is flat has points without a direction: there it is the centre.
+// Source:   none.
+vec3 airlight_camera_direction(airlight_CameraRays camera, vec2 screen) {
+    vec3 ray =
+        camera.centre + (2.0 * screen.x - 1.0) * camera.right + (2.0 * screen.y - 1.0) * camera.up;
+    float length = sqrt(airlight_dot_product(ray, ray));
+    if (!(length > 0.0)) {
+        return camera.centre;
+    }
+    return ray / length;
+}
+
+// The air between a camera and a froxel.
+struct airlight_FroxelAir {
+    vec3 radiance;  // [1/sr] that it adds, per unit of solar irradiance above the air
+    vec3 depth;     // [1] its optical depth: that can be filtered, transmittances cannot
+};
+
+// The optical depth of what passes.
+//
+// Units:    transmittance [1], a spectrum; result [1].
+// Domain:   transmittance in [0, 1].
+// Accuracy: a roundoff of 1, plus log's own.
+// Errors:   none; less than 1e-30 counts as that.
+// Source:   Beer's law.
+vec3 airlight_depth_of_transmittance(vec3 transmittance) {
+    vec3 least = vec3(1e-30, 1e-30, 1e-30);
+    return -log(clamp(transmittance, least, vec3(1.0, 1.0, 1.0)));
+}
+
+// The direction of a froxel, lifted until the ray clears the ground as far as the slice.
+//
+//     mu >= -(h (2 R + h) + d^2) / (2 (R + h) d),   d at most the distance to the horizon
+//
+// Behind the ground there is nothing to see, but its froxels are filtered together with those beside and
+// before it: so the light there is that of the ray that just gets so far.
+//
+// Units:    lengths in the atmosphere's unit [L]; direction and result unit vectors.
+// Domain:   every viewpoint; distance >= 0.
+// Accuracy: 8 roundoffs.
+// Errors:   none; a ray straight down, which has no side to be lifted to, stays.
+// Source:   law of cosines.
+vec3 airlight_direction_above_ground(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
+                                     float distance) {
+    float radius = atmosphere.ground_radius;
+    float above = max(eye.altitude, 0.0);
+    float to_horizon = airlight_horizon_distance(radius, above);
+    float reach = max(min(distance, to_horizon), 1e-9 * radius);
+    float touching = -(above * (2.0 * radius + above) + reach * reach) / (2.0 * (radius + above) * reach);
+    float passing = airlight_horizon_cosine(radius, above) + airlight_past_the_horizon;
+    float least = distance < to_horizon ? touching : passing;
+    float mu = airlight_dot_product(eye.up, direction);
+    vec3 across = airlight_cross_of_unit_vectors(eye.up, direction);
+    float sine = sqrt(airlight_dot_product(across, across));
+    if (!(mu < least) || sine <= 0.0) {
+        return direction;
+    }
+    vec3 ahead = cross(across, eye.up) / sine;
+    return least * eye.up + airlight_safe_sqrt((1.0 - least) * (1.0 + least)) * ahead;
+}
+
+// What a texel of the froxels holds.
+//
+// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; distance [L] of the
+//           slice.
+// Domain:   that of all_scattering.
+// Accuracy: that of all_scattering; behind the ground that of direction_above_ground.
+// Errors:   none.
+// Source:   all_scattering.
+airlight_FroxelAir airlight_froxel_texel(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,
+                                         vec3 direction, vec3 to_sun, float distance) {
+    vec3 lifted = airlight_direction_above_ground(atmosphere, eye, direction, distance);
+    airlight_Scattered light =
+        airlight_all_scattering(atmosphere, eye, lifted, to_sun, distance);
+    return airlight_FroxelAir(light.radiance, airlight_depth_of_transmittance(light.transmittance));
+}
+
+// The air up to a surface, from froxels.
+//
+// Between two slices the optical depth grows evenly with the distance, and light is added as even air adds
+// it: in proportion to what a slice's share of the depth stops. In air that is the same along the ray that
+// is exact, however far apart the slices are.
+//
+//     L(d) = L_k + (L_{k+1} - L_k) (1 - exp(-w x)) / (1 - exp(-x)),   x the depth between the slices
+//
+// Units:    screen [1], in [0, 1]; distances [L]; sizes in texels.
+// Domain:   every distance, beyond max_distance it counts as there; slices is slices_linear or
+// slices_quadratic;
+//           sizes >= 1, depth >= 2.
+// Accuracy: by size, docs/tables.md.
+// Errors:   none; a depth of 1 gives that slice.
+// Source:   integrated here.
+airlight_Scattered airlight_froxel_light(vec2 screen, float distance, float max_distance, int slices,
+                                         int width, int height, int depth) {
+    vec3 uvw = airlight_froxel_uvw(screen, distance, max_distance, slices, width, height, depth);
+    float last = max(float(depth - 1), 1.0);
+    float slice = min(floor(airlight_unit_from_texture(uvw.z, depth) * last), last - 1.0);
+    float first_at = slice / last;
+    float second_at = (slice + 1.0) / last;
+    airlight_FroxelAir first = AIRLIGHT_FROXEL_TABLE(vec3(uvw.x, uvw.y,
+                                                          airlight_texture_from_unit(first_at, depth)));
+    airlight_FroxelAir second = AIRLIGHT_FROXEL_TABLE(vec3(uvw.x, uvw.y,
+                                                           airlight_texture_from_unit(second_at, depth)));
+
+    bool squares = slices == AIRLIGHT_SLICES_QUADRATIC;
+    float begin = squares ? first_at * first_at : first_at;
+    float end = squares ? second_at * second_at : second_at;
+    float weight = airlight_share_of(airlight_share_of(min(distance, max_distance), max_distance) - begin,
+                                     end - begin);
+    vec3 none = vec3(0.0, 0.0, 0.0);
+    vec3 between = max(second.depth - first.depth, none);
+    vec3 part = weight * between;
+    vec3 grown =
+        weight * airlight_mean_passed(part, exp(-part)) / airlight_mean_passed(between, exp(-between));
+    vec3 radiance = first.radiance + (second.radiance - first.radiance) * grown;
+    return airlight_Scattered(max(radiance, none), exp(-(first.depth + part)));
+}
+
 // ---- compose ----------------------------------------------------------------
 
 // What the eye sees: the surface's light through the air, and the air's own.

@@ -55,6 +55,9 @@
 #include <airlight/scattering_of_table.hpp>
 #include <airlight/scattering_orders.hpp>
 
+#include <airlight/froxel_table.hpp>
+#include <airlight/sky_view_table.hpp>
+
 #include <airlight/compose.hpp>
 #include <airlight/sun.hpp>
 

@@ -2,7 +2,9 @@
 
 // CPU only. Hillaire's table of multiple scattering, ready to be looked up.
 
+#include <airlight/diffuse_light.hpp>
 #include <airlight/hillaire_table.hpp>
+#include <airlight/table_storage.hpp>
 #include <airlight/tables/table.hpp>
 
 namespace airlight {
@@ -30,14 +32,19 @@ Table<vec3<T>> bake_hillaire(const Atmosphere<T>& atmosphere, int width = 32, in
     return table;
 }
 
-/// The table at a place, all orders from the second on: times the scattering coefficient there, it is their
-/// source. The table has to outlive it.
+/// Hook: all orders from the second on as light that comes evenly from all sides. Atmosphere and table have
+/// to outlive it.
 template <typename T>
 struct HillaireLight {
+    const Atmosphere<T>* atmosphere;
     const Table<vec3<T>>* table;
+    bool roots =
+        false;  ///< the texels are stored_light: two to three times closer in twilight, and fit for half
 
-    vec3<T> operator()(const Atmosphere<T>& atmosphere, T altitude, T mu_s) const {
-        return sample(*table, altitude_sun_uv(atmosphere, altitude, mu_s, table->width, table->height));
+    DiffuseLight<T> operator()(T altitude, T mu_s) const {
+        const vec3<T> texels =
+            sample(*table, altitude_sun_uv(*atmosphere, altitude, mu_s, table->width, table->height));
+        return even_light(roots ? light_from_stored(texels) : texels);
     }
 };
 
