@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <airlight/atmospheres.hpp>
 #include <airlight/table_storage.hpp>
+#include <airlight/tables/hillaire.hpp>
 #include <airlight/tables/sky_view.hpp>
 
 #include <cmath>
@@ -91,6 +92,21 @@ TEST_CASE("the sky from 192 x 108 texels") {
             CHECK(above.p95 <= (sun > 0 ? 0.006 : 0.025));
             CHECK(below.p95 <= (altitude < 10 ? 0.11 : 0.006));
         }
+    }
+}
+
+TEST_CASE("a hook adds what was scattered more often") {
+    const Atmosphere<double> air = earth<double>();
+    const Table<vec3<double>> hillaire = bake_hillaire(air, 16, 16);
+    const HillaireLight<double> more{&air, &hillaire};
+    const Table<vec3<double>> once = bake_sky_view(air, 2.0, 0.5, 16, 16);
+    const Table<vec3<double>> all = bake_sky_view(air, 2.0, 0.5, 16, 16, more);
+    for (const int j : {0, 4, 7}) {
+        // Between a tenth and all of the blue sky is light of higher orders; straight up it is 0.4 of the
+        // first.
+        const double share = all.texel(5, j, 0).z / once.texel(5, j, 0).z - 1;
+        CHECK(share > 0.1);
+        CHECK(share < 1.0);
     }
 }
 
