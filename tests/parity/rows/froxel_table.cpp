@@ -47,8 +47,8 @@ static const bool froxel_texel_row =
             const auto to_sun = draw.direction_at(eye.up, static_cast<double>(draw.cosine()));
             return std::make_tuple(atmosphere, eye, direction, to_sun, draw.distance(atmosphere));
         })
-        .count(4096)
-        .left_out(0.45, 0.1,
+        .count(1024)
+        .left_out(0.45, 0.2,
                   "lifted rays touch the ground where their slice ends, and suns exactly behind or across "
                   "the ray are "
                   "end points: rounding decides how long the ray or its shadow is")
@@ -56,7 +56,7 @@ static const bool froxel_texel_row =
                 auto distance) {
             using R = decltype(run);
             return airlight::froxel_texel<typename R::T, typename R::Scene>(
-                atmosphere, eye, direction, to_sun, distance, airlight::NoDiffuseLight{}, run.visibility);
+                atmosphere, eye, direction, to_sun, distance, run.multiple_scattering, run.visibility);
         })
         .within_bound();
 

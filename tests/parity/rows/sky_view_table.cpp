@@ -27,16 +27,26 @@ static const bool sky_view_ray_row =
 
 static const bool sky_view_texel_row =
     row("sky_view_texel")
-        .inputs(place_of_texel)
-        .count(4096)
+        .inputs([](Draw& draw) {
+            // Not straight up or down, nor at the horizon: sky_view_ray has those, and all_scattering.
+            const auto atmosphere = draw.atmosphere();
+            const float altitude = draw.number(0.001F, 0.9F) * atmosphere.top_altitude;
+            const float mu_s = draw.number(-0.3F, 0.98F);
+            const float u = draw.number(0.01F, 0.99F);
+            const airlight::vec2<float> uv(u, draw.number(0.01F, 0.98F));
+            return std::make_tuple(
+                atmosphere, altitude, mu_s,
+                airlight::sky_view_parameters(atmosphere.ground_radius, altitude, uv, 192, 108));
+        })
+        .count(1024)
         .left_out(
-            0.35, 0.1,
+            0.35, 0.2,
             "eyes at the top of the air, and suns exactly behind or across the ray, are end points where "
             "rounding decides how long the ray or its shadow is")
         .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu_s, const auto& seen) {
             using R = decltype(run);
             return airlight::sky_view_texel<typename R::T, typename R::Scene>(
-                atmosphere, altitude, mu_s, seen, airlight::NoDiffuseLight{}, run.visibility);
+                atmosphere, altitude, mu_s, seen, run.multiple_scattering, run.visibility);
         })
         .within_bound();
 
