@@ -10,6 +10,7 @@ namespace bake_tables {
 
 std::vector<Kind> transmittance_kinds();
 std::vector<Kind> diffuse_kinds();
+std::vector<Kind> frame_kinds();
 std::vector<Kind> hillaire_kinds();
 std::vector<Kind> scattering_kinds();
 

@@ -10,7 +10,7 @@ const std::vector<Kind>& kinds() {
     static const std::vector<Kind> all = [] {
         std::vector<Kind> together;
         for (const auto& family :
-             {transmittance_kinds(), hillaire_kinds(), diffuse_kinds(), scattering_kinds()}) {
+             {transmittance_kinds(), hillaire_kinds(), diffuse_kinds(), scattering_kinds(), frame_kinds()}) {
             together.insert(together.end(), family.begin(), family.end());
         }
         return together;
