@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
     std::string atmosphere = "earth";
     std::string table;
     std::string picture;
+    std::string irradiance;
     reference::View view;
     reference::Effort effort;
     double sun_diameter = 0;
@@ -73,8 +74,11 @@ int main(int argc, char** argv) {
     support::add_value(app, "--orders", "<count>", effort.orders, "of scattering to follow (default all)")
         ->check(CLI::Range(1, 1000000));
     CLI::Option* const into_table =
-        support::add_value(app, "--table", "<file.csv>", table, "traces 42 views instead, into this file");
+        support::add_value(app, "--table", "<file.csv>", table, "traces 66 views instead, into this file");
     support::add_value(app, "--picture", "<file.exr>", picture, "traces a panorama instead, into this file")
+        ->excludes(into_table);
+    support::add_value(app, "--irradiance", "<file.csv>", irradiance,
+                       "traces what the sky sheds on the ground instead, into this file")
         ->excludes(into_table);
     support::add_value(app, "--width", "<pixels>", width, "of the picture; its height is half (default 128)")
         ->check(CLI::Range(2, 8192));
@@ -83,6 +87,9 @@ int main(int argc, char** argv) {
         if (!table.empty()) {
             write_table(preset, sun_diameter, effort, table);
             std::printf("%s: %zu views\n", table.c_str(), reference::judged_views().size());
+        } else if (!irradiance.empty()) {
+            write_irradiance_table(preset, effort, irradiance);
+            std::printf("%s\n", irradiance.c_str());
         } else if (!picture.empty()) {
             if (walks->count() == 0) {
                 effort.walks = 2000;

@@ -54,4 +54,37 @@ void write_table(const support::Preset& preset, double sun_diameter, const Effor
     support::write_file(path, out.str());
 }
 
+void write_irradiance_table(const support::Preset& preset, const Effort& effort,
+                            const std::filesystem::path& path) {
+    if (path.has_parent_path()) {
+        support::make_writable_directory(path.parent_path());
+    }
+    const std::vector<double> suns = {60, 40, 20, 10, 5, 2, 0, -1.5, -3, -4.5, -6};
+    std::vector<Estimate> irradiances(3 * suns.size());
+    support::ProgressBar progress("irradiance of " + preset.name);
+    std::atomic<std::size_t> done{0};
+    support::for_each_row(static_cast<int>(irradiances.size()), [&](int job) {
+        const auto i = static_cast<std::size_t>(job);
+        Light light;
+        light.to_sun = direction_at(suns[i / 3]);
+        Effort own = effort;
+        own.seed = effort.seed + 1000003 * i;
+        irradiances[i] = sky_irradiance(Air(preset.air, preset.ozone, job % 3), light, own);
+        progress(++done, irradiances.size());
+    });
+
+    std::ostringstream out;
+    out.precision(7);
+    out << "# Irradiance of level ground by the sky of '" << preset.name
+        << "', all orders of scattering, light off the ground included, without the sun\n"
+        << "# itself, per unit of solar irradiance above the air. Written by path_trace --irradiance: "
+        << effort.walks << " walks a channel, seed " << effort.seed << ". Angles in degrees.\n"
+        << "sun_elevation,channel,irradiance,error\n";
+    for (std::size_t i = 0; i < irradiances.size(); ++i) {
+        out << suns[i / 3] << "," << i % 3 << "," << irradiances[i].mean << "," << irradiances[i].error
+            << "\n";
+    }
+    support::write_file(path, out.str());
+}
+
 }  // namespace reference

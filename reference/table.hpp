@@ -12,4 +12,8 @@ namespace reference {
 void write_table(const support::Preset& preset, double sun_diameter, const Effort& effort,
                  const std::filesystem::path& path);
 
+/// The irradiance of level ground by the sky, with the sun from high to 6 degrees below the horizon.
+void write_irradiance_table(const support::Preset& preset, const Effort& effort,
+                            const std::filesystem::path& path);
+
 }  // namespace reference

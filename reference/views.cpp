@@ -52,6 +52,14 @@ std::vector<View> judged_views() {
         out.push_back({400e3, sun, -90, 0});
         out.push_back({400e3, sun, -19.6, 0});
     }
+    // Away from the sun's own azimuth and from right angles to it, where an interpolation has nothing to hold
+    // on.
+    for (const double sun : {60.0, 20.0, 5.0, 0.0, -3.0, -6.0}) {
+        out.push_back({2, sun, 2, 30});
+        out.push_back({2, sun, 2, 60});
+        out.push_back({2, sun, 10, 45});
+        out.push_back({2, sun, 15, 120});
+    }
     return out;
 }
 

@@ -27,8 +27,9 @@ Vector direction_at(double elevation, double azimuth = 0);
 /// A view in one channel of an atmosphere.
 Radiance traced(const Air& air, const View& view, double sun_diameter, const Effort& effort);
 
-/// 42 views that stand for what an atmosphere is judged by: the sky from the ground with the sun from high to
-/// 12 degrees below the horizon, from 10 km, and the disc and the limb from an orbit.
+/// 66 views that stand for what an atmosphere is judged by: the sky from the ground with the sun from high to
+/// 12 degrees below the horizon, from 10 km, the disc and the limb from an orbit, and the lower sky between
+/// the sun's azimuth and the opposite.
 std::vector<View> judged_views();
 
 }  // namespace reference

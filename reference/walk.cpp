@@ -292,6 +292,28 @@ Radiance traced(const Air& air, const Light& light, const ViewRay& ray, const Ef
     return out;
 }
 
+Estimate sky_irradiance(const Air& air, const Light& light, const Effort& effort) {
+    constexpr int directions = 100;  // of each group, evenly over the projected hemisphere
+    const Vector place(0, 0, air.ground_radius());
+    Tally tally;
+    for (int group = 0; group < effort.groups; ++group) {
+        Random random(effort.seed, static_cast<std::uint64_t>(group));
+        for (int i = 0; i < directions; ++i) {
+            const double square = (i + random()) / directions;  // of the sine to the vertical
+            const double azimuth = 2 * pi<double> * random();
+            const double sine = std::sqrt(square);
+            const Vector direction(sine * std::cos(azimuth), sine * std::sin(azimuth), std::sqrt(1 - square));
+            Effort own = effort;
+            own.groups = 2;  // the spread over the directions is larger
+            own.seed = effort.seed + static_cast<std::uint64_t>(group * directions + i);
+            own.walks = effort.walks / static_cast<std::uint64_t>(effort.groups * directions);
+            tally.add(pi<double> * traced(air, light, view_ray(air, place, direction), own).total.mean);
+        }
+        tally.close_group(directions);
+    }
+    return tally.estimate();
+}
+
 Estimate absorbed_by_ground(const Air& air, const Effort& effort) {
     Tally tally;
     const std::uint64_t each = walks_in_group(effort.walks, effort);

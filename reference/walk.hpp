@@ -76,6 +76,9 @@ struct Effort {
 /// the glow, and a tenth of the walks are made.
 Radiance traced(const Air& air, const Light& light, const ViewRay& ray, const Effort& effort);
 
+/// Irradiance of level ground by the sky without the sun itself, per unit of the sun's, all orders.
+Estimate sky_irradiance(const Air& air, const Light& light, const Effort& effort);
+
 /// Share of a parallel beam, spread over the planet's disc, that the ground absorbs, followed forwards from
 /// the sun.
 Estimate absorbed_by_ground(const Air& air, const Effort& effort);
