@@ -117,8 +117,10 @@ struct StandInTable {
     }
 };
 
-/// The same hooks for a shader, by hand: they play the part of the user's own code.
-inline const char* const hooks_glsl = R"glsl(
+/// The same hooks for a shader, by hand: they play the part of the user's own code. A macro is one line:
+/// GLSL 3.30 has no line continuation.
+inline const char* const hooks_glsl =
+    R"glsl(
 float parity_partly_lit(vec3 position) {
     float reach = abs(position.x) + abs(position.y) + abs(position.z);
     return reach > 0.0 ? clamp(0.5 + (position.x - 0.5 * position.y + 0.25 * position.z) / reach, 0.0, 1.0) : 1.0;
@@ -128,12 +130,15 @@ float parity_partly_lit(vec3 position) {
 float parity_strength(float altitude, float mu_s) {
     return (2.0 + mu_s) * (10000.0 / (10000.0 + altitude));
 }
-#define AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s) airlight_DiffuseLight( \
-    parity_strength(altitude, mu_s) * vec3(0.5, 0.75, 1.0), parity_strength(altitude, mu_s) * vec3(-0.125, 0.0, 0.25), \
-    parity_strength(altitude, mu_s) * vec3(0.125, 0.25, 0.5), parity_strength(altitude, mu_s) * vec3(0.25, 0.125, 0.0), \
-    parity_strength(altitude, mu_s) * vec3(0.5, 0.25, 0.125), parity_strength(altitude, mu_s) * vec3(0.25, 0.5, 0.125), \
-    parity_strength(altitude, mu_s) * vec3(2.0, 1.5, 1.0), parity_strength(altitude, mu_s) * vec3(0.25, 0.25, 0.5), \
-    parity_strength(altitude, mu_s) * vec3(0.5, 0.75, 1.0))
+)glsl"
+    "#define AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s) airlight_DiffuseLight( "
+    "parity_strength(altitude, mu_s) * vec3(0.5, 0.75, 1.0), parity_strength(altitude, mu_s) * "
+    "vec3(-0.125, 0.0, 0.25), parity_strength(altitude, mu_s) * vec3(0.125, 0.25, 0.5), "
+    "parity_strength(altitude, mu_s) * vec3(0.25, 0.125, 0.0), parity_strength(altitude, mu_s) "
+    "* vec3(0.5, 0.25, 0.125), parity_strength(altitude, mu_s) * vec3(0.25, 0.5, 0.125), "
+    "parity_strength(altitude, mu_s) * vec3(2.0, 1.5, 1.0), parity_strength(altitude, mu_s) * "
+    "vec3(0.25, 0.25, 0.5), parity_strength(altitude, mu_s) * vec3(0.5, 0.75, 1.0))"
+    R"glsl(
 #define AIRLIGHT_GROUND_IRRADIANCE(mu_s) ((1.0 + (mu_s)) * vec3(0.125, 0.25, 0.5))
 
 vec3 parity_table(float mu, float mu_s, float nu, bool reaches_ground) {
