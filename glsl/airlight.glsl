@@ -4267,7 +4267,7 @@ vec3 airlight_node_diffuse_radiance(airlight_Atmosphere atmosphere, airlight_Lit
 //
 // Units:    those of single_scattering; result [1/sr] per unit of solar irradiance above the air.
 // Domain:   that of single_scattering.
-// Accuracy: docs/tables.md.
+// Accuracy: docs/multiple_scattering.md.
 // Errors:   none; no air on the ray gives 0.
 // Source:   the node method of single_scattering, docs/theory/nodes.md.
 vec3 airlight_diffuse_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
@@ -4336,7 +4336,7 @@ vec3 airlight_diffuse_scattering(airlight_Atmosphere atmosphere, airlight_Viewpo
 //
 // Units:    those of single_scattering.
 // Domain:   that of single_scattering.
-// Accuracy: docs/tables.md.
+// Accuracy: docs/multiple_scattering.md.
 // Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
 // Source:   single_scattering, diffuse_scattering.
 airlight_Scattered airlight_all_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,

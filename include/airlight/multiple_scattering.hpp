@@ -37,7 +37,7 @@ inline vec3<T> node_diffuse_radiance(const Atmosphere<T>& atmosphere, const LitR
 ///
 /// Units:    those of single_scattering; result [1/sr] per unit of solar irradiance above the air.
 /// Domain:   that of single_scattering.
-/// Accuracy: docs/tables.md.
+/// Accuracy: docs/multiple_scattering.md.
 /// Errors:   none; no air on the ray gives 0.
 /// Source:   the node method of single_scattering, docs/theory/nodes.md.
 template <typename T, typename Scene = DefaultScene, typename MultipleScattering = NoDiffuseLight>
@@ -106,7 +106,7 @@ vec3<T> diffuse_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<T>& 
 ///
 /// Units:    those of single_scattering.
 /// Domain:   that of single_scattering.
-/// Accuracy: docs/tables.md.
+/// Accuracy: docs/multiple_scattering.md.
 /// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
 /// Source:   single_scattering, diffuse_scattering.
 template <typename T, typename Scene = DefaultScene, typename MultipleScattering = NoDiffuseLight,
