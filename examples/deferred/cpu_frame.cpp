@@ -9,7 +9,8 @@ namespace deferred {
 namespace {
 
 template <typename Scene>
-std::vector<float> light(const World& world, const Frame& frame, const GBuffer& surfaces) {
+std::vector<float> light(const World& world, const AirTables& tables, const Frame& frame,
+                         const GBuffer& surfaces) {
     std::vector<float> radiance(3 * std::size_t(frame.width) * std::size_t(frame.height));
     support::for_each_row(frame.height, [&](int y) {
         for (int x = 0; x < frame.width; ++x) {
@@ -18,7 +19,7 @@ std::vector<float> light(const World& world, const Frame& frame, const GBuffer& 
             const float* const normal = &surfaces.normal[4 * i];
             const Surface surface{surfaces.depth[i], vec3(albedo[0], albedo[1], albedo[2]), albedo[3],
                                   vec3(normal[0], normal[1], normal[2])};
-            const vec3 pixel = pixel_radiance<Scene>(world.atmosphere, frame, surface, x, y);
+            const vec3 pixel = pixel_radiance<Scene>(world.atmosphere, frame, tables, surface, x, y);
             radiance[3 * i] = pixel.x;
             radiance[3 * i + 1] = pixel.y;
             radiance[3 * i + 2] = pixel.z;
@@ -29,9 +30,10 @@ std::vector<float> light(const World& world, const Frame& frame, const GBuffer& 
 
 }  // namespace
 
-std::vector<float> light_on_cpu(const World& world, const Frame& frame, const GBuffer& surfaces) {
-    return world.lorentzian_ozone ? light<LorentzianScene>(world, frame, surfaces)
-                                  : light<airlight::DefaultScene>(world, frame, surfaces);
+std::vector<float> light_on_cpu(const World& world, const AirTables& tables, const Frame& frame,
+                                const GBuffer& surfaces) {
+    return world.lorentzian_ozone ? light<LorentzianScene>(world, tables, frame, surfaces)
+                                  : light<airlight::DefaultScene>(world, tables, frame, surfaces);
 }
 
 std::vector<bool> disc_pixels(const Frame& frame, const GBuffer& surfaces) {

@@ -4,13 +4,15 @@
 
 #include "frame.hpp"
 #include "gpu_frame.hpp"
+#include "tables.hpp"
 #include "world.hpp"
 
 namespace deferred {
 
 /// The pass of light and air over the GPU's surfaces, by the C++ headers in float, on every core: 3 per
 /// pixel, the lower row first.
-std::vector<float> light_on_cpu(const World& world, const Frame& frame, const GBuffer& surfaces);
+std::vector<float> light_on_cpu(const World& world, const AirTables& tables, const Frame& frame,
+                                const GBuffer& surfaces);
 
 /// Which pixels show the sun's disc, wholly or in part; the lower row first.
 std::vector<bool> disc_pixels(const Frame& frame, const GBuffer& surfaces);

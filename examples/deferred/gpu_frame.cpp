@@ -91,19 +91,25 @@ std::vector<float> read_texture(GLuint texture, GLenum format, std::size_t count
 
 }  // namespace
 
-GpuRenderer::GpuRenderer(const World& world, const Terrain& terrain, int width, int height)
+GpuRenderer::GpuRenderer(const World& world, const AirTables& tables, const Terrain& terrain, int width,
+                         int height)
     : world_(world),
       terrain_(terrain),
       width_(width),
       height_(height),
-      has_clip_control_(epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control")) {
+      has_clip_control_(epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control")),
+      kind_(tables.kind),
+      scattering_size_(tables.bruneton_shape.nus, tables.bruneton_shape.suns, tables.bruneton_shape.views,
+                       tables.bruneton_shape.altitudes),
+      tables_(tables) {
     const std::string clip_define =
         std::string("#define CLIP_CONTROL ") + (has_clip_control_ ? "1" : "0") + "\n";
     const std::string scene_define =
         world.lorentzian_ozone ? "#define AIRLIGHT_OZONE AIRLIGHT_OZONE_LORENTZIAN\n" : "";
     terrain_program_ = read_program("terrain.vert", "terrain.frag", clip_define);
     planet_program_ = read_program("screen.vert", "planet.frag", scene_define);
-    lighting_program_ = read_program("screen.vert", "lighting.frag", scene_define);
+    lighting_program_ =
+        read_program("screen.vert", "lighting.frag", scene_define + GpuTables::defines(kind_));
     display_program_ = read_program("screen.vert", "display.frag", "");
 
     depth_ = support::create_texture(GL_DEPTH_COMPONENT32F, width, height);
@@ -187,6 +193,10 @@ GpuPicture GpuRenderer::draw(const View& view) {
     bind_texture(0, depth_);
     bind_texture(1, albedo_);
     bind_texture(2, normal_);
+    tables_.bind(lighting_program_);
+    if (kind_ == TableKind::bruneton) {
+        glUniform4iv(glGetUniformLocation(lighting_program_, "scattering_size"), 1, &scattering_size_.x);
+    }
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glFinish();
     const std::chrono::duration<double, std::milli> duration = std::chrono::steady_clock::now() - start;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "support/gl_objects.hpp"
+#include "tables.hpp"
 #include "terrain.hpp"
 #include "view.hpp"
 #include "world.hpp"
@@ -27,7 +28,7 @@ struct GpuPicture {
 /// Draws a world and its landscape. Needs an OpenGL 4.3 context that is current.
 class GpuRenderer {
   public:
-    GpuRenderer(const World& world, const Terrain& terrain, int width, int height);
+    GpuRenderer(const World& world, const AirTables& tables, const Terrain& terrain, int width, int height);
 
     /// Whether the driver has depth from 0 to 1 before rasterisation (ARB_clip_control, OpenGL 4.5). Without
     /// it the projection maps to [-1, 1], and reversed depth keeps its digits as gl_FragDepth only.
@@ -48,6 +49,9 @@ class GpuRenderer {
     int width_;
     int height_;
     bool has_clip_control_;
+    TableKind kind_;
+    glm::ivec4 scattering_size_;  // of the table of four dimensions
+    GpuTables tables_;
 
     support::Texture depth_;
     support::Texture albedo_;

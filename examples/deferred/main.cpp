@@ -19,6 +19,7 @@
 #include "support/files.hpp"
 #include "support/gl_context.hpp"
 #include "support/image.hpp"
+#include "tables.hpp"
 #include "terrain.hpp"
 #include "view.hpp"
 
@@ -125,7 +126,8 @@ void run(const Options& options) {
     support::make_writable_directory(options.output);
 
     const support::GlContext context;
-    GpuRenderer renderer(options.world, terrain, options.width, options.height);
+    const AirTables tables = bake_tables(options.tables, options.world);
+    GpuRenderer renderer(options.world, tables, terrain, options.width, options.height);
     std::cout << "OpenGL " << context.version() << " on " << context.renderer() << "; reversed depth "
               << (renderer.has_clip_control() ? "by glClipControl"
                                               : "emulated in the projection, without glClipControl")
@@ -148,7 +150,7 @@ void run(const Options& options) {
 
         if (options.difference) {
             const auto cpu_start = std::chrono::steady_clock::now();
-            const std::vector<float> cpu = light_on_cpu(options.world, frame, picture.surfaces);
+            const std::vector<float> cpu = light_on_cpu(options.world, tables, frame, picture.surfaces);
             const std::chrono::duration<double, std::milli> cpu_time =
                 std::chrono::steady_clock::now() - cpu_start;
             const Comparison comparison = compare(picture.radiance, cpu, frame.width, frame.height, disc);

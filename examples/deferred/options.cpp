@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -89,6 +90,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     std::optional<double> pitch;
     std::optional<double> fov;
     std::string method = "nodes";
+    std::string tables = "diffuse";
     Options options{};
     options.sun_azimuth = 250;
     options.steps = 40;
@@ -114,6 +116,11 @@ std::optional<Options> parse_options(int count, char** arguments) {
            "Light of the air: nodes, a few samples where the light is, or marched, by even steps; nodes "
            "if not given")
         ->check(CLI::IsMember({"nodes", "marched"}));
+    app.add_option(
+           "--tables", tables,
+           "Light beyond single scattering: none, or from a table: diffuse (light from all sides, tiny), "
+           "hillaire, inscatter3d, bruneton; transmittance only speeds up the march. diffuse if not given")
+        ->check(CLI::IsMember(table_names()));
     app.add_option("--steps", options.steps, "Even steps along a view ray when marched; 40 if not given");
     app.add_option("--sky-steps", options.sky_steps,
                    "Even steps up from a surface, for its skylight, when marched; 12 if not given");
@@ -172,7 +179,10 @@ std::optional<Options> parse_options(int count, char** arguments) {
     }
     options.sun_elevations = sun_elevations;
     require_range("--sun-azimuth", options.sun_azimuth, -360, 360);
-    options.marched = method == "marched";
+    options.tables =
+        TableKind(std::find(table_names().begin(), table_names().end(), tables) - table_names().begin());
+    // Nodes have all air in closed form: a table of transmittance is of use to the march alone.
+    options.marched = method == "marched" || options.tables == TableKind::transmittance;
     require_range("--steps", options.steps, 1, 10000);
     require_range("--sky-steps", options.sky_steps, 1, 10000);
     options.step_east = steps_of_map[0];

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tables.hpp"
 #include "view.hpp"
 #include "world.hpp"
 
@@ -17,6 +18,7 @@ struct Options {
     int width;
     int height;
     bool marched;
+    TableKind tables;
     int steps;
     int sky_steps;
     World world;

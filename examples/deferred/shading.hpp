@@ -3,6 +3,7 @@
 #include <airlight/airlight.hpp>
 
 #include "frame.hpp"
+#include "tables.hpp"
 
 // What a pixel shows, from what the G-buffer holds. shaders/shading.glsl says the same in GLSL, function by
 // function; only the air differs: here the library's headers, there the GLSL generated from them.
@@ -47,22 +48,93 @@ inline float sun_glint(const Surface& surface, const vec3& normal, const vec3& t
     return distribution * masking * mirrored_share(airlight::dot_product(to_sun, half_way));
 }
 
-/// The air's light, by the frame's method.
-template <typename Scene>
-airlight::Scattered<float> air_light(const airlight::Atmosphere<float>& atmosphere, const Frame& frame,
-                                     const airlight::Viewpoint<float>& eye, const vec3& direction,
-                                     float distance, int steps) {
-    if (frame.marched) {
-        return airlight::single_scattering_marched<float, Scene>(atmosphere, eye, direction, frame.to_sun,
-                                                                 distance, steps);
+/// Hillaire's table as light from all sides.
+struct EvenLight {
+    const airlight::Atmosphere<float>& atmosphere;
+    const airlight::Table<vec3>& table;
+
+    airlight::DiffuseLight<float> operator()(float altitude, float mu_s) const {
+        return airlight::even_light(
+            sample(table, airlight::altitude_sun_uv(atmosphere, altitude, mu_s, table.width, table.height)));
     }
-    return airlight::single_scattering<float, Scene>(atmosphere, eye, direction, frame.to_sun, distance);
+};
+
+/// The light of single scattering and what a table of light from all sides adds.
+template <typename Scene, typename Light>
+airlight::Scattered<float> all_light(const airlight::Atmosphere<float>& air, const Frame& frame,
+                                     const airlight::Viewpoint<float>& eye, const vec3& direction,
+                                     float distance, int steps, const Light& light) {
+    if (frame.marched) {
+        airlight::Scattered<float> once = airlight::single_scattering_marched<float, Scene>(
+            air, eye, direction, frame.to_sun, distance, steps);
+        once.radiance += airlight::diffuse_scattering_marched<float, Scene>(air, eye, direction, frame.to_sun,
+                                                                            distance, steps, light);
+        return once;
+    }
+    return airlight::all_scattering<float, Scene>(air, eye, direction, frame.to_sun, distance, light);
+}
+
+template <typename Scene, typename Shape>
+airlight::Scattered<float> table_light(const Shape& shape, const AirTables& tables, const Frame& frame,
+                                       const airlight::Viewpoint<float>& eye, const vec3& direction,
+                                       float distance) {
+    using Hook = airlight::TableHook<float, Shape>;
+    const airlight::ScatteringTables<float>& t = tables.scattering;
+    return airlight::scattering_of_table<float, Scene>(shape.atmosphere, eye, direction, frame.to_sun,
+                                                       distance, Hook{shape, t.rayleigh}, Hook{shape, t.mie},
+                                                       Hook{shape, t.multiple});
+}
+
+/// The air's light, by the frame's method and the tables.
+template <typename Scene>
+airlight::Scattered<float> air_light(const airlight::Atmosphere<float>& air, const Frame& frame,
+                                     const AirTables& tables, const airlight::Viewpoint<float>& eye,
+                                     const vec3& direction, float distance, int steps) {
+    switch (tables.kind) {
+        case TableKind::inscatter3d:
+            return table_light<Scene>(tables.inscatter_shape, tables, frame, eye, direction, distance);
+        case TableKind::bruneton:
+            return table_light<Scene>(tables.bruneton_shape, tables, frame, eye, direction, distance);
+        case TableKind::hillaire:
+            return all_light<Scene>(air, frame, eye, direction, distance, steps,
+                                    EvenLight{air, tables.hillaire});
+        case TableKind::diffuse:
+            return all_light<Scene>(air, frame, eye, direction, distance, steps, tables.diffuse);
+        case TableKind::transmittance:
+        case TableKind::none:
+            break;
+    }
+    if (!frame.marched) {
+        return airlight::single_scattering<float, Scene>(air, eye, direction, frame.to_sun, distance);
+    }
+    if (tables.kind == TableKind::transmittance) {
+        return airlight::single_scattering_marched<float, Scene>(
+            air, eye, direction, frame.to_sun, distance, steps, airlight::AlwaysLit{},
+            airlight::SlantTransmittance<float, Scene>{&tables.slants});
+    }
+    return airlight::single_scattering_marched<float, Scene>(air, eye, direction, frame.to_sun, distance,
+                                                             steps);
+}
+
+/// The sky's light on a surface as even radiance [1/sr]. Without a table of irradiance the whole sky stands
+/// in for one look along the normal.
+inline vec3 sky_light(const Frame& frame, const AirTables& tables, const airlight::Viewpoint<float>& here,
+                      const vec3& normal, const vec3& sky) {
+    if (tables.kind != TableKind::diffuse) {
+        return sky;
+    }
+    const float mu_s = glm::clamp(airlight::dot_product(here.up, frame.to_sun), -1.0f, 1.0f);
+    return airlight::sky_irradiance_on(airlight::sky_irradiance(tables.diffuse, here.altitude, mu_s),
+                                       glm::clamp(airlight::dot_product(normal, here.up), -1.0f, 1.0f), mu_s,
+                                       airlight::dot_product(normal, frame.to_sun)) /
+           airlight::pi<float>;
 }
 
 /// Light that leaves the surface for the eye, by unit solar irradiance above the air [1/sr].
 template <typename Scene>
 vec3 surface_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame& frame,
-                      const Surface& surface, const vec3& position, const vec3& direction) {
+                      const AirTables& tables, const Surface& surface, const vec3& position,
+                      const vec3& direction) {
     const vec3 origin_up(0, 0, 1);
     const airlight::Viewpoint<float> here =
         airlight::viewpoint_from_surface(atmosphere.ground_radius, position, origin_up);
@@ -71,10 +143,11 @@ vec3 surface_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame
         airlight::sun_irradiance<float, Scene>(atmosphere, here, normal, frame.to_sun, frame.sun_sin_radius);
 
     // The whole sky stands in for one look along the normal.
-    const vec3 sky =
-        air_light<Scene>(atmosphere, frame, here, normal, airlight::no_surface<float>(), frame.sky_steps)
-            .radiance;
-    vec3 radiance = surface.albedo * (sunlight / airlight::pi<float> + sky);
+    const vec3 sky = air_light<Scene>(atmosphere, frame, tables, here, normal, airlight::no_surface<float>(),
+                                      frame.sky_steps)
+                         .radiance;
+    vec3 radiance =
+        surface.albedo * (sunlight / airlight::pi<float> + sky_light(frame, tables, here, normal, sky));
     if (surface.roughness < 1) {
         const float polish = glm::min(1.5f * (1 - surface.roughness), 1.0f);
         radiance += polish * (sunlight * sun_glint(surface, normal, -direction, frame.to_sun) +
@@ -93,8 +166,8 @@ inline vec3 sun_disc(const Frame& frame, const vec3& direction) {
 
 /// What the pixel shows, through the air, in units of solar_irradiance per sr.
 template <typename Scene>
-vec3 pixel_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame& frame, const Surface& surface,
-                    int x, int y) {
+vec3 pixel_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame& frame,
+                    const AirTables& tables, const Surface& surface, int x, int y) {
     const vec3 ray = pixel_ray(frame, x, y);
     const float ray_length = glm::sqrt(airlight::dot_product(ray, ray));
     const vec3 direction = ray / ray_length;
@@ -107,12 +180,12 @@ vec3 pixel_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame& 
     if (surface.depth > 0) {
         distance = frame.near_distance / surface.depth * ray_length;
         const vec3 position = frame.eye_position + direction * distance;
-        behind = surface_radiance<Scene>(atmosphere, frame, surface, position, direction);
+        behind = surface_radiance<Scene>(atmosphere, frame, tables, surface, position, direction);
     } else {
         behind = sun_disc(frame, direction);
     }
     const airlight::Scattered<float> scattered =
-        air_light<Scene>(atmosphere, frame, eye, direction, distance, frame.steps);
+        air_light<Scene>(atmosphere, frame, tables, eye, direction, distance, frame.steps);
     return airlight::compose(behind * frame.solar_irradiance, scattered, frame.solar_irradiance);
 }
 

@@ -1,7 +1,6 @@
 // The one pass of light and air, over the whole screen.
 #include "shading.glsl"
 
-uniform airlight_Atmosphere atmosphere;
 uniform Frame frame;
 uniform sampler2D depth_texture;
 uniform sampler2D albedo_texture;  // and roughness

@@ -1,8 +1,15 @@
 // What a pixel shows, from what the G-buffer holds: shading.hpp in GLSL, function by function.
+#include "airlight/atmosphere.glsl"
+
+#include "tables.glsl"
+
 #include "airlight/aerial_perspective.glsl"
 #include "airlight/compose.glsl"
 #include "airlight/constants.glsl"
+#include "airlight/multiple_scattering.glsl"
+#include "airlight/scattering_of_table.glsl"
 #include "airlight/single_scattering.glsl"
+#include "airlight/sky_irradiance.glsl"
 #include "airlight/sun.glsl"
 #include "airlight/viewpoint.glsl"
 
@@ -37,12 +44,39 @@ float sun_glint(Surface surface, vec3 normal, vec3 to_eye, vec3 to_sun) {
     return distribution * masking * mirrored_share(airlight_dot_product(to_sun, half_way));
 }
 
-airlight_Scattered air_light(airlight_Atmosphere atmosphere, Frame frame, airlight_Viewpoint eye, vec3 direction,
+airlight_Scattered air_light(airlight_Atmosphere air, Frame frame, airlight_Viewpoint eye, vec3 direction,
                              float distance, int steps) {
+#if TABLES == TABLES_INSCATTER3D || TABLES == TABLES_BRUNETON
+    return airlight_scattering_of_table(air, eye, direction, frame.to_sun, distance);
+#else
     if (frame.marched) {
-        return airlight_single_scattering_marched(atmosphere, eye, direction, frame.to_sun, distance, steps);
+        airlight_Scattered once =
+            airlight_single_scattering_marched(air, eye, direction, frame.to_sun, distance, steps);
+#if TABLES == TABLES_HILLAIRE || TABLES == TABLES_DIFFUSE
+        once.radiance +=
+            airlight_diffuse_scattering_marched(air, eye, direction, frame.to_sun, distance, steps);
+#endif
+        return once;
     }
-    return airlight_single_scattering(atmosphere, eye, direction, frame.to_sun, distance);
+#if TABLES == TABLES_HILLAIRE || TABLES == TABLES_DIFFUSE
+    return airlight_all_scattering(air, eye, direction, frame.to_sun, distance);
+#else
+    return airlight_single_scattering(air, eye, direction, frame.to_sun, distance);
+#endif
+#endif
+}
+
+// Without a table of irradiance the whole sky stands in for one look along the normal.
+vec3 sky_light(Frame frame, airlight_Viewpoint here, vec3 normal, vec3 sky) {
+#if TABLES == TABLES_DIFFUSE
+    float mu_s = clamp(airlight_dot_product(here.up, frame.to_sun), -1.0, 1.0);
+    return airlight_sky_irradiance_on(light_on_surfaces(here.altitude, mu_s),
+                                      clamp(airlight_dot_product(normal, here.up), -1.0, 1.0), mu_s,
+                                      airlight_dot_product(normal, frame.to_sun)) /
+           airlight_pi;
+#else
+    return sky;
+#endif
 }
 
 vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface, vec3 position,
@@ -55,7 +89,8 @@ vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surfa
 
     vec3 sky =
         air_light(atmosphere, frame, here, normal, airlight_no_surface(), frame.sky_steps).radiance;
-    vec3 radiance = surface.albedo * (sunlight / airlight_pi + sky);
+    vec3 radiance =
+        surface.albedo * (sunlight / airlight_pi + sky_light(frame, here, normal, sky));
     if (surface.roughness < 1.0) {
         float polish = min(1.5 * (1.0 - surface.roughness), 1.0);
         radiance += polish * (sunlight * sun_glint(surface, normal, -direction, frame.to_sun) +

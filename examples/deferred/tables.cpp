@@ -1,0 +1,130 @@
+#include "tables.hpp"
+
+#include <epoxy/gl.h>
+
+#include <atomic>
+#include <cstddef>
+
+#include "support/gl_table.hpp"
+#include "support/parallel.hpp"
+#include "support/progress.hpp"
+
+namespace deferred {
+namespace {
+
+// Of the diffuse table: docs/tables.md has its errors by size.
+constexpr int diffuse_width = 64;
+constexpr int diffuse_height = 16;
+constexpr int diffuse_orders = 5;
+constexpr int hillaire_size = 32;
+constexpr int scattering_orders = 4;
+
+/// Rows on all cores, with a bar over `passes` passes.
+struct BakeRows {
+    support::ProgressBar* bar;
+    int passes;
+    int* pass;
+
+    template <typename Body>
+    void operator()(int count, const Body& body) const {
+        std::atomic<int> done{0};
+        support::for_each_row(count, [&](int row) {
+            body(row);
+            const auto all = std::size_t(count);
+            (*bar)(std::size_t(*pass) * all + std::size_t(++done), std::size_t(passes) * all);
+        });
+        ++*pass;
+    }
+};
+
+template <typename Scene>
+AirTables baked(TableKind kind, const airlight::Atmosphere<float>& air) {
+    AirTables out{};
+    out.kind = kind;
+    out.inscatter_shape.atmosphere = out.bruneton_shape.atmosphere = air;
+    out.inscatter_shape.lowest_sun = out.bruneton_shape.lowest_sun = airlight::lowest_sun_cosine(air);
+    int pass = 0;
+    if (kind == TableKind::transmittance) {
+        out.slants = airlight::bake_slants<float, Scene>(air);
+    } else if (kind == TableKind::hillaire) {
+        support::ProgressBar bar("Hillaire's table");
+        out.hillaire = airlight::bake_hillaire<float, Scene>(air, hillaire_size, hillaire_size, {},
+                                                             BakeRows{&bar, 1, &pass});
+    } else if (kind == TableKind::diffuse) {
+        support::ProgressBar bar("diffuse table");
+        out.diffuse = airlight::bake_diffuse_table<float, Scene>(
+            air, diffuse_width, diffuse_height, diffuse_orders, BakeRows{&bar, diffuse_orders, &pass});
+    } else if (kind == TableKind::inscatter3d || kind == TableKind::bruneton) {
+        const int passes = airlight::passes_of_bake(scattering_orders);
+        // Half of Bruneton's texels along the view and the altitude: half a minute instead of minutes.
+        out.bruneton_shape.views = 64;
+        out.bruneton_shape.altitudes = 16;
+        support::ProgressBar bar(kind == TableKind::bruneton ? "table of four dimensions"
+                                                             : "table of three dimensions");
+        const BakeRows rows{&bar, passes, &pass};
+        out.scattering =
+            kind == TableKind::bruneton
+                ? airlight::bake_scattering<Scene>(air, out.bruneton_shape, scattering_orders, rows)
+                : airlight::bake_scattering<Scene>(air, out.inscatter_shape, scattering_orders, rows);
+    }
+    return out;
+}
+
+template <typename Texel>
+support::Texture texture_of(const airlight::Table<Texel>& table) {
+    constexpr int channels = int(sizeof(Texel) / sizeof(float));
+    const support::TableSize size{table.width, table.height, table.depth};
+    support::Texture texture = support::create_table_texture(GL_RGBA32F, size);
+    std::vector<float> numbers;
+    numbers.reserve(table.texels.size() * std::size_t(channels));
+    for (const Texel& texel : table.texels) {
+        for (int c = 0; c < channels; ++c) {
+            numbers.push_back(texel[c]);
+        }
+    }
+    support::upload_table(texture, size, numbers, channels);
+    return texture;
+}
+
+}  // namespace
+
+const std::vector<std::string>& table_names() {
+    static const std::vector<std::string> names = {"none",     "transmittance", "inscatter3d",
+                                                   "hillaire", "bruneton",      "diffuse"};
+    return names;
+}
+
+AirTables bake_tables(TableKind kind, const World& world) {
+    return world.lorentzian_ozone ? baked<LorentzianScene>(kind, world.atmosphere)
+                                  : baked<airlight::DefaultScene>(kind, world.atmosphere);
+}
+
+GpuTables::GpuTables(const AirTables& tables) {
+    if (tables.kind == TableKind::transmittance) {
+        textures_.push_back(texture_of(tables.slants));
+    } else if (tables.kind == TableKind::hillaire) {
+        textures_.push_back(texture_of(tables.hillaire));
+    } else if (tables.kind == TableKind::diffuse) {
+        textures_.push_back(texture_of(tables.diffuse.texels));
+    } else if (tables.kind != TableKind::none) {
+        textures_.push_back(texture_of(tables.scattering.rayleigh));
+        textures_.push_back(texture_of(tables.scattering.mie));
+        textures_.push_back(texture_of(tables.scattering.multiple));
+        textures_.push_back(texture_of(tables.scattering.irradiance));
+    }
+}
+
+void GpuTables::bind(GLuint program) const {
+    static const char* const names[] = {"table_0", "table_1", "table_2", "table_3"};
+    for (std::size_t i = 0; i < textures_.size(); ++i) {
+        glActiveTexture(GLenum(GL_TEXTURE3 + i));
+        glBindTexture(GL_TEXTURE_3D, textures_[i]);
+        glUniform1i(glGetUniformLocation(program, names[i]), GLint(3 + i));
+    }
+}
+
+std::string GpuTables::defines(TableKind kind) {
+    return "#define TABLES " + std::to_string(int(kind)) + "\n";
+}
+
+}  // namespace deferred
