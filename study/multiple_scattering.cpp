@@ -442,7 +442,7 @@ std::string processor() {
 
 std::string page(const std::vector<Result>& results, int cores, int orders) {
     return "# What multiple scattering costs, and how wrong it is\n\n"
-           "Written by `multiple_scattering --page docs/multiple_scattering.md` (" +
+           "Written by `study/run` (" +
            processor() + ", " + std::to_string(cores) +
            " cores). Do not edit.\n\n"
            "Sky radiance of the library's Earth, each of three channels, against the path tracer's light of "
@@ -455,6 +455,11 @@ std::string page(const std::vector<Result>& results, int cores, int orders) {
            "texels are "
            "counted in all the tables that a ray reads.\n\n" +
            price_list(results, cores, false) +
+           "\nThe sky over the ground with the sun 5 degrees up and 4 degrees down, and under each how far "
+           "it is off the "
+           "path tracer's:\nwhite where they agree, red brighter, blue darker, full at 20 %. What is left in "
+           "white is the "
+           "path tracer's own noise.\n\n![Skies](../study/results/skies.png)\n"
            "\nThe same against no more orders than the method has: what its table and its quadratures are "
            "worth, "
            "without the orders\nthat it leaves out (Bruneton's " +
