@@ -440,30 +440,26 @@ std::string processor() {
     return "a processor that does not say its name";
 }
 
-std::string page(const std::vector<Result>& results, int cores, int orders) {
-    return "# What multiple scattering costs, and how wrong it is\n\n"
-           "Written by `study/run` (" +
-           processor() + ", " + std::to_string(cores) +
-           " cores). Do not edit.\n\n"
-           "Sky radiance of the library's Earth, each of three channels, against the path tracer's light of "
-           "all "
-           "orders in\n`reference/data/earth.csv`: zenith, horizon, between, from 10 km, disc and limb from "
-           "an orbit. "
-           "Its own standard errors\nare 0.04 to 0.5 % of the blue by day, 1 to 2 % at -6 degrees and 5 to "
-           "10 % at "
-           "-12. Time is that of a view ray on one core,\nof that of `single_scattering` with 8 nodes; "
-           "texels are "
-           "counted in all the tables that a ray reads.\n\n" +
-           price_list(results, cores, false) +
-           "\nThe sky over the ground with the sun 5 degrees up and 4 degrees down, and under each how far "
-           "it is off the "
-           "path tracer's:\nwhite where they agree, red brighter, blue darker, full at 20 %. What is left in "
-           "white is the "
-           "path tracer's own noise.\n\n![Skies](../study/results/skies.png)\n"
-           "\nThe same against no more orders than the method has: what its table and its quadratures are "
-           "worth, "
-           "without the orders\nthat it leaves out (Bruneton's " +
-           std::to_string(orders) + " by default).\n\n" + price_list(results, cores, true);
+std::string page(const std::vector<Result>& results, int cores) {
+    return "# What multiple scattering costs, and how wrong it is\n\nWritten by `study/run` (" + processor() +
+           ", " + std::to_string(cores) + " cores). Do not edit." + R"(
+
+Sky radiance of the library's Earth, each of three channels, against the path tracer's light of all orders in
+`reference/data/earth.csv`, where its own errors stand too: zenith, horizon, between, from 10 km, disc and limb from an
+orbit. Time is that of a view ray on one core, of that of `single_scattering` with 8 nodes; texels are counted in all the
+tables that a ray reads.
+
+)" + price_list(results, cores, false) +
+           R"(
+The sky over the ground with the sun 5 degrees up and 4 degrees down, and under each how far it is off the path tracer's:
+white where they agree, red brighter, blue darker, full at 20 %. What is left in white is the path tracer's own noise.
+
+![Skies](../study/results/skies.png)
+
+The same against no more orders than the method has: what its table and its quadratures are worth, without the orders
+that it leaves out.
+
+)" + price_list(results, cores, true);
 }
 
 int run(Settings settings) {
@@ -493,7 +489,7 @@ int run(Settings settings) {
         write_pictures(settings, results);
     }
     if (!settings.page.empty()) {
-        support::write_file(settings.page, page(results, cores, settings.orders));
+        support::write_file(settings.page, page(results, cores));
     }
     return 0;
 }

@@ -45,8 +45,7 @@ std::vector<double> scan(const DiffuseTable<float>& table, float altitude, doubl
 double largest_step(const std::vector<double>& values) {
     double worst = 0;
     for (std::size_t i = 2; i + 1 < values.size(); ++i) {
-        const double expected =
-            (3 * values[i - 1] + values[i + 1] - values[i - 2]) / 3;  // of a parabola
+        const double expected = (3 * values[i - 1] + values[i + 1] - values[i - 2]) / 3;  // of a parabola
         worst = std::max(worst, std::fabs(values[i] - expected) / std::max(values[i], 1e-12));
     }
     return worst;
