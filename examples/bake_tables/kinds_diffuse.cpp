@@ -87,8 +87,10 @@ Kind diffuse() {
     });
     kind.remark =
         "The errors are those of the mean radiance and of the irradiance of a level surface, by the first "
-        "order of "
-        "scattering.\nHalf precision has its place in the payload itself: logarithms and ratios.";
+        "order of\n"
+        "scattering. The largest, 1, is of irradiance between the last two rows: at the very top nothing "
+        "comes from "
+        "above.\nHalf precision has its place in the payload itself: logarithms and ratios.";
     return kind;
 }
 
