@@ -276,6 +276,13 @@ std::vector<Edit> edits_of(const Function& function, const std::string& text) {
         if (old.find('.') == std::string::npos) {
             continue;  // a count
         }
+        // The bounds of a clamped cosine, which it passes by a roundoff at most.
+        const std::string bounds = "-1.0, 1.0)";
+        if ((at > 0 && body.compare(at - 1, bounds.size(), bounds) == 0) ||
+            (at > 5 && body.compare(at - 6, bounds.size(), bounds) == 0)) {
+            at += length;
+            continue;
+        }
         const double value = std::stod(old);
         std::string with = std::to_string(value != 0 ? value * 1.01 : 1.0);
         if (std::abs(value) > 1e6 || (value != 0 && std::abs(value) < 1e-3)) {

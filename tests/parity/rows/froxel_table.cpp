@@ -21,7 +21,8 @@ static const bool camera_direction_row =
 
 static const bool depth_of_transmittance_row =
     row("depth_of_transmittance")
-        .inputs([](Draw& draw) { return std::make_tuple(draw.spectrum(1e-30F, 1.0F)); })
+        .inputs(
+            [](Draw& draw) { return std::make_tuple(draw.spectrum(1e-30F, 1.5F)); })  // above 1 counts as 1
         .cpu([](const auto& transmittance) { return airlight::depth_of_transmittance(transmittance); })
         .within_bound();
 

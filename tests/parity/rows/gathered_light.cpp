@@ -20,7 +20,7 @@ static const bool incoming_light_row =
                                    draw.one_of({0, 1}) == 1);
         })
         .count(2048)
-        .left_out(0.35, 0.1, grazing)
+        .left_out(0.35, 0.2, grazing)
         .cpu([](auto run, const auto& atmosphere, auto altitude, const auto& direction, const auto& to_sun,
                 bool first_order) {
             using R = decltype(run);

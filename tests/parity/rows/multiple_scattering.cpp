@@ -23,7 +23,7 @@ static const bool node_diffuse_radiance_row =
             return std::make_tuple(atmosphere, ray, draw.diffuse_light(), offset, outwards, point.altitude,
                                    glm::abs(ray.air.along + t), draw.cosine(), point.density);
         })
-        .left_out(0.35, 0.1, grazing)
+        .left_out(0.6, 0.35, grazing)
         .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& light, const auto& offset,
                 auto outwards, auto altitude, auto along, auto mu_s, const auto& density) {
             using R = decltype(run);
@@ -49,7 +49,7 @@ static const bool all_scattering_row =
     row("all_scattering")
         .inputs(view)
         .count(1024)
-        .left_out(0.35, 0.1, grazing)
+        .left_out(0.35, 0.2, grazing)
         .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
                 auto distance) {
             using R = decltype(run);
@@ -64,7 +64,7 @@ static const bool diffuse_scattering_marched_row =
             return std::tuple_cat(view(draw), std::make_tuple(draw.one_of({0, 1, 5, 16})));
         })
         .count(4096)
-        .left_out(0.35, 0.1, grazing)
+        .left_out(0.35, 0.2, grazing)
         .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
                 auto distance, int steps) {
             using R = decltype(run);
