@@ -1,5 +1,7 @@
 #include "jobs.hpp"
 
+#include <set>
+#include <string>
 #include <utility>
 
 #include "pieces.hpp"
@@ -70,8 +72,14 @@ const std::vector<Baseline> baselines_and_settings = {
 }  // namespace
 
 std::vector<Job> library_jobs(const Library& library) {
+    // What fills tables runs once, not for every pixel, and hundreds of rays take minutes to compile.
+    static const std::set<std::string> bakes = {"gathered_light.hpp", "hillaire_table.hpp",
+                                                "scattering_orders.hpp"};
     std::vector<Job> out;
     for (const support::Function& function : library.manifest.functions) {
+        if (bakes.count(function.header) != 0) {
+            continue;
+        }
         add_all(library, function, function.name, bench::settings(library.manifest, function), 1, out);
     }
     return out;

@@ -24,7 +24,8 @@ std::string tables(const support::Manifest& manifest, const support::Function& f
         if (out.empty()) {
             out = "layout(binding = " + std::to_string(binding::table) + ") uniform sampler2D table;\n";
         }
-        out += "#define " + hook.macro + "(uv) textureLod(table, uv, 0.0).rgb\n";
+        const bool of_two = hook.default_value.find("vec2") != std::string::npos;
+        out += "#define " + hook.macro + "(uv) textureLod(table, uv, 0.0)." + (of_two ? "rg" : "rgb") + "\n";
     }
     return out;
 }

@@ -104,7 +104,8 @@ Manifest read_manifest(const std::filesystem::path& file) {
                                  item.value("choices", std::vector<std::string>())});
         }
         for (const auto& item : json.at("hooks")) {
-            out.hooks.push_back({item.at("name"), item.at("macro"), item.at("parameters")});
+            out.hooks.push_back(
+                {item.at("name"), item.at("macro"), item.at("parameters"), item.at("default")});
         }
         for (const auto& item : json.at("structs")) {
             out.structs.push_back(

@@ -36,7 +36,7 @@ struct Flag {
     std::string name;
     std::string macro;
     std::string type;
-    std::string default_value;
+    std::string default_value;         ///< in GLSL
     std::vector<std::string> choices;  ///< empty for bool and for plain counts
 };
 
@@ -44,6 +44,7 @@ struct Hook {
     std::string name;
     std::string macro;
     std::vector<std::string> parameters;
+    std::string default_value;  ///< in GLSL
 };
 
 struct Constant {
