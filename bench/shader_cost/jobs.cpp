@@ -69,11 +69,44 @@ const std::vector<Baseline> baselines_and_settings = {
     {"double_loop", {{64}, {8}, {16}, {32}}, 2},
 };
 
+/// What reads a table for every pixel, with the deferred renderer's hooks.
+struct TableMethod {
+    const char* function;
+    const char* table;   ///< in the table of prices
+    const char* tables;  ///< in examples/deferred/shaders/tables.glsl
+};
+
+const std::vector<TableMethod> table_methods = {
+    {"diffuse_scattering", "table=hillaire", "TABLES_HILLAIRE"},
+    {"diffuse_scattering", "table=diffuse", "TABLES_DIFFUSE"},
+    {"scattering_of_table", "table=inscatter3d", "TABLES_INSCATTER3D"},
+    {"scattering_of_table", "table=bruneton", "TABLES_BRUNETON"},
+};
+
+Job table_job(const Library& library, const TableMethod& method) {
+    const support::Function& function = *library.manifest.function(method.function);
+    Job job{method.function,
+            bench::settings(library.manifest, function).front().setting,
+            method.table,
+            {},
+            [&library, &function, tables = std::string(method.tables)](const std::vector<int>& counts) {
+                return function_shader(library, function, {}, counts, tables);
+            },
+            1,
+            {},
+            0};
+    if (function.name == "diffuse_scattering") {
+        job.piece_passes = {2};  // the sides of the closest approach
+        job.pieces = mean_sides();
+    }
+    return job;
+}
+
 }  // namespace
 
 std::vector<Job> library_jobs(const Library& library) {
-    // What fills tables runs once, not for every pixel. What calls single_scattering and more is not measured
-    // yet: with its flags it takes many minutes to compile.
+    // What fills tables runs once, not for every pixel. all_scattering and what else calls single_scattering
+    // and more costs their sum, and takes many minutes to compile.
     static const std::set<std::string> unmeasured = {
         "gathered_light.hpp",      "hillaire_table.hpp", "scattering_orders.hpp", "scattering_of_table.hpp",
         "multiple_scattering.hpp", "sky_view_table.hpp", "froxel_table.hpp",      "sky.hpp",
@@ -84,6 +117,9 @@ std::vector<Job> library_jobs(const Library& library) {
             continue;
         }
         add_all(library, function, function.name, bench::settings(library.manifest, function), 1, out);
+    }
+    for (const TableMethod& method : table_methods) {
+        out.push_back(table_job(library, method));
     }
     return out;
 }

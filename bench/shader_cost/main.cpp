@@ -97,7 +97,8 @@ int run(const Options& options) {
         throw support::Error(
             "--write and the checks of the whole table need every method; leave out --method");
     }
-    const Library library{support::read_manifest(options.glsl / "manifest.json"), {options.glsl}};
+    const Library library{support::read_manifest(options.glsl / "manifest.json"),
+                          {options.glsl, SHADER_COST_TABLES_DIR}};
     const Library baselines{support::read_manifest(options.baselines / "manifest.json"), {options.baselines}};
     const std::vector<Job> jobs = chosen_jobs(library, baselines, options);
     const auto recorded = [&] {

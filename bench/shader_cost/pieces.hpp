@@ -8,4 +8,7 @@ namespace shader_cost {
 /// study. `flags` as in the table; what differs from the default there changes where a ray is cut.
 double mean_pieces(const std::string& flags);
 
+/// The same of the sides of its closest approach that a ray in the air has for diffuse_scattering.
+double mean_sides();
+
 }  // namespace shader_cost

@@ -241,7 +241,10 @@ Radv::Radv(const std::string& family) : device_(std::make_unique<Device>()) {
     bind(binding::inputs, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     bind(binding::results, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     bind(binding::atmosphere, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
-    bind(binding::table, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+    for (std::uint32_t i = 0; i < binding::tables; ++i) {
+        bind(binding::table + i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+    }
+    bind(binding::sizes, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
     VkDescriptorSetLayoutCreateInfo set_info{};
     set_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     set_info.bindingCount = static_cast<std::uint32_t>(bindings.size());

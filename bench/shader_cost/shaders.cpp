@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "support/error.hpp"
 #include "support/glsl_source.hpp"
 #include "support/glsl_values.hpp"
 
@@ -14,7 +15,7 @@ bool is_uniform(const std::string& type) {
 }
 
 /// Defines the hooks that a table may stand behind: those that take texture coordinates.
-std::string tables(const support::Manifest& manifest, const support::Function& function) {
+std::string texture_hooks(const support::Manifest& manifest, const support::Function& function) {
     std::string out;
     for (const std::string& name : function.hooks) {
         const support::Hook& hook = manifest.hook(name);
@@ -30,6 +31,31 @@ std::string tables(const support::Manifest& manifest, const support::Function& f
     return out;
 }
 
+std::string atmosphere_block(const std::string& type) {
+    return "layout(std140, binding = " + std::to_string(binding::atmosphere) + ") uniform Scene { " + type +
+           " atmosphere; };\n";
+}
+
+/// The deferred renderer's declarations in the form that Vulkan asks for.
+std::string bound_for_vulkan(std::string text, const std::string& atmosphere_type) {
+    const auto replace = [&text](const std::string& declaration, const std::string& bound) {
+        const std::size_t at = text.find(declaration);
+        if (at == std::string::npos) {
+            throw support::Error("examples/deferred/shaders/tables.glsl has no '" + declaration +
+                                 "' any more; write bench/shader_cost/shaders.cpp anew");
+        }
+        text.replace(at, declaration.size(), bound);
+    };
+    replace("uniform " + atmosphere_type + " atmosphere;", atmosphere_block(atmosphere_type));
+    for (std::uint32_t i = 0; i < binding::tables; ++i) {
+        const std::string sampler = "uniform sampler3D table_" + std::to_string(i) + ";";
+        replace(sampler, "layout(binding = " + std::to_string(binding::table + i) + ") " + sampler);
+    }
+    replace("uniform ivec4 scattering_size;", "layout(std140, binding = " + std::to_string(binding::sizes) +
+                                                  ") uniform Sizes { ivec4 scattering_size; };");
+    return text;
+}
+
 std::string resources(const support::Manifest& manifest, bool atmosphere, std::size_t per_input,
                       std::size_t per_result) {
     std::ostringstream out;
@@ -39,8 +65,7 @@ std::string resources(const support::Manifest& manifest, bool atmosphere, std::s
         << "layout(std430, binding = " << binding::results
         << ") writeonly buffer Results { float out_data[]; };\n";
     if (atmosphere) {
-        out << "layout(std140, binding = " << binding::atmosphere << ") uniform Scene { "
-            << support::glsl_type(manifest, "Atmosphere") << " scene_atmosphere; };\n";
+        out << atmosphere_block(support::glsl_type(manifest, "Atmosphere"));
     }
     out << "float fetch(int i) {\n    return in_data[i];\n}\n"
         << "void main() {\n"
@@ -52,15 +77,23 @@ std::string resources(const support::Manifest& manifest, bool atmosphere, std::s
 }  // namespace
 
 std::string function_shader(const Library& library, const support::Function& function,
-                            const std::vector<bench::FlagValue>& flags, const std::vector<int>& counts) {
+                            const std::vector<bench::FlagValue>& flags, const std::vector<int>& counts,
+                            const std::string& tables) {
     const support::Manifest& manifest = library.manifest;
     std::string text = "#version 450 core\n";
     for (const bench::FlagValue& flag : flags) {
         text += "#define " + flag.macro + " " + flag.value + "\n";
     }
-    text += tables(manifest, function);
-    text +=
-        support::expand_includes("#include \"" + function.file + "\"\n", function.name, library.folders).text;
+    std::string includes = "#include \"" + function.file + "\"\n";
+    if (tables.empty()) {
+        text += texture_hooks(manifest, function);
+    } else {
+        text += "#define TABLES " + tables + "\n";
+        includes = "#include \"airlight/atmosphere.glsl\"\n#include \"tables.glsl\"\n" + includes;
+    }
+    const std::string included = support::expand_includes(includes, function.name, library.folders).text;
+    const std::string atmosphere_type = support::glsl_type(manifest, "Atmosphere");
+    text += tables.empty() ? included : bound_for_vulkan(included, atmosphere_type);
 
     std::string arguments;
     std::size_t at = 0;
@@ -70,7 +103,7 @@ std::string function_shader(const Library& library, const support::Function& fun
         std::string argument;
         if (is_uniform(parameter.type)) {
             atmosphere = true;
-            argument = "scene_atmosphere";
+            argument = "atmosphere";
         } else if (parameter.type == "int") {
             argument = count < counts.size() ? std::to_string(counts[count++]) : "1";
         } else {
@@ -78,7 +111,7 @@ std::string function_shader(const Library& library, const support::Function& fun
         }
         arguments += (arguments.empty() ? "" : ", ") + argument;
     }
-    text += resources(manifest, atmosphere, at, manifest.signature(function.result).size());
+    text += resources(manifest, atmosphere && tables.empty(), at, manifest.signature(function.result).size());
     text += "    " + support::glsl_type(manifest, function.result) + " result = " + function.glsl + "(" +
             arguments + ");\n";
     at = 0;

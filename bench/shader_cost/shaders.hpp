@@ -17,7 +17,9 @@ namespace binding {
 constexpr std::uint32_t inputs = 0;      ///< storage buffer: what differs from ray to ray
 constexpr std::uint32_t results = 1;     ///< storage buffer
 constexpr std::uint32_t atmosphere = 2;  ///< uniform buffer: the same for every ray
-constexpr std::uint32_t table = 3;       ///< sampled image: what a table hook reads
+constexpr std::uint32_t table = 3;       ///< sampled images from here on: what a table hook reads
+constexpr std::uint32_t tables = 4;      ///< how many
+constexpr std::uint32_t sizes = 7;       ///< uniform buffer: of tables
 }  // namespace binding
 
 /// Generated GLSL and the manifest that describes it.
@@ -29,7 +31,10 @@ struct Library {
 /// A compute shader in which every invocation reads its inputs from a buffer, calls `function` and writes all
 /// of its result. A hook that takes texture coordinates reads a texture. An Atmosphere comes from a uniform
 /// block, and the function's `int` parameters are the constants `counts`, in their order, then 1.
+///
+/// With `tables`, a value of TABLES as TABLES_DIFFUSE, the other hooks are those of the deferred renderer.
 std::string function_shader(const Library& library, const support::Function& function,
-                            const std::vector<bench::FlagValue>& flags, const std::vector<int>& counts);
+                            const std::vector<bench::FlagValue>& flags, const std::vector<int>& counts,
+                            const std::string& tables = "");
 
 }  // namespace shader_cost
