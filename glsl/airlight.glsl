@@ -3957,6 +3957,179 @@ vec3 airlight_light_from_stored(vec3 stored) {
     return root * root;
 }
 
+// ---- gathering --------------------------------------------------------------
+
+// Cosines of the azimuths of sphere_direction, those before 90 degrees [1].
+const float airlight_azimuth_cosines[8] = float[8](0.99518472667219688624, 0.95694033573220886494,
+                                                   0.88192126434835502971, 0.77301045336273696081,
+                                                   0.63439328416364549822, 0.47139673682599764856,
+                                                   0.29028467725446236764, 0.098017140329560601994);
+
+// A direction of the rule by which light is gathered from the whole sphere. The sun stands at azimuth 0; the
+// direction counts twice, left and right of it.
+struct airlight_SphereDirection {
+    float mu;           // [1] cosine to the vertical
+    float sine;         // [1] of the same angle
+    float cos_azimuth;  // [1] of the angle from the sun's azimuth
+    float sin_azimuth;  // [1] of the same angle, positive
+    float solid_angle;  // [sr] that one of the two stands for
+};
+
+// A direction of the rule by which light is gathered: Scene::nodes polar angles above the horizon and as
+// many below it, close to the horizon where the light changes most, and 32 azimuths.
+//
+//     mu = horizon +- (1 -+ horizon) u^2,   u of Gauss and Legendre
+//
+// Units:    lengths in one unit [L].
+// Domain:   altitude >= 0; side 0 for the sky, 1 for the ground; polar from 0 to Scene::nodes - 1, from the
+//           horizon on; azimuth from 0 to 15.
+// Accuracy: 4 ulp; all solid angles together 4 pi.
+// Errors:   none in the domain.
+// Source:   Gauss-Legendre quadrature after a change of variable; equal steps on a circle.
+airlight_SphereDirection airlight_sphere_direction(float ground_radius, float altitude, int side, int polar,
+                                                   int azimuth) {
+    float horizon = max(airlight_horizon_cosine(ground_radius, altitude), -1.0);
+    float u = airlight_gauss_position(polar);
+    float reach = side == 0 ? 1.0 - horizon : 1.0 + horizon;
+    float mu = side == 0 ? horizon + reach * (u * u) : horizon - reach * (u * u);
+    float sine = airlight_safe_sqrt((1.0 - mu) * (1.0 + mu));
+    float cosine = azimuth < 8 ? airlight_azimuth_cosines[azimuth] : -airlight_azimuth_cosines[15 - azimuth];
+    float across = azimuth < 8 ? airlight_azimuth_cosines[7 - azimuth] : airlight_azimuth_cosines[azimuth - 8];
+    float solid_angle = airlight_gauss_weight(polar) * u * reach * (airlight_pi * 0.125);
+    return airlight_SphereDirection(mu, sine, cosine, across, solid_angle);
+}
+
+// Irradiance of level ground, or of a level surface over it, straight from the sun.
+//
+// Units:    altitude [L]; mu_s [1]; result [1].
+// Shape:    the result is a spectrum.
+// Domain:   that of transmittance_to_space.
+// Accuracy: that of transmittance_to_space.
+// Errors:   none; a sun below the horizontal gives 0.
+// Source:   Lambert's cosine law.
+vec3 airlight_direct_irradiance(airlight_Atmosphere atmosphere, float altitude, float mu_s) {
+    return max(mu_s, 0.0) * airlight_transmittance_to_space(atmosphere, altitude, mu_s);
+}
+
+// ---- ray_legs ---------------------------------------------------------------
+
+// The least optical depth for which the difference of two columns outwards has digits left [1].
+const float airlight_thin_depth = 1e-3;
+
+// The two legs of a ray, down to its closest approach to the centre and up from there.
+struct airlight_RayLegs {
+    float turn;                // [L] from the start to where the legs meet
+    airlight_RayPoint start;   // where the ray starts
+    airlight_RayPoint turned;  // its closest approach, or the end that is nearest to it
+    airlight_RayPoint last;    // where it ends
+};
+
+// The legs of a ray.
+//
+// Units:    lengths in the atmosphere's unit [L].
+// Domain:   a ray in the air.
+// Accuracy: that of ray_point.
+// Errors:   none; a leg that the ray does not have is empty.
+// Source:   ray_point.
+airlight_RayLegs airlight_ray_legs(airlight_Atmosphere atmosphere, airlight_LitRay ray) {
+    float turn = clamp(-ray.air.along, 0.0, ray.air.extent);
+    airlight_RayPoint turned = airlight_ray_point(atmosphere, ray, turn);
+    airlight_RayPoint start = turned;
+    airlight_RayPoint last = turned;
+    if (turn > 0.0) {
+        start = airlight_ray_point(atmosphere, ray, 0.0);
+    }
+    if (turn < ray.air.extent) {
+        last = airlight_ray_point(atmosphere, ray, ray.air.extent);
+    }
+    return airlight_RayLegs(turn, start, turned, last);
+}
+
+// What the air between a ray's start and a point of a leg is counted from: it is this less the point's air
+// outwards where the leg climbs, and plus it where the leg falls.
+//
+// Units:    result [L].
+// Domain:   legs of ray_legs.
+// Accuracy: 3 roundoffs of the largest column.
+// Errors:   none.
+// Source:   column_outwards.
+airlight_Column airlight_leg_offset(airlight_RayLegs legs, bool climbs) {
+    airlight_Column down = airlight_column_sum(airlight_Column(0.0, 0.0, 0.0), -1.0, legs.start.outwards);
+    return airlight_column_sum(down, climbs ? 2.0 : 0.0, legs.turned.outwards);
+}
+
+// The optical depth of a whole ray.
+//
+// Units:    result [1].
+// Shape:    the result is a spectrum.
+// Domain:   legs of ray_legs.
+// Accuracy: that of column_outwards.
+// Errors:   none; rounding below 0 counts as 0.
+// Source:   leg_offset.
+vec3 airlight_depth_of_legs(airlight_Atmosphere atmosphere, airlight_RayLegs legs) {
+    airlight_Column passed = airlight_column_sum(airlight_leg_offset(legs, true), -1.0, legs.last.outwards);
+    return max(airlight_column_optical_depth(atmosphere, passed), vec3(0.0, 0.0, 0.0));
+}
+
+// What a ray loses over what its nodes found of that. Light from all sides that the nodes found, times this,
+// is right in even light, however thick the air is, and makes no light.
+//
+//     (1 - exp(-depth)) / found
+//
+// Units:    found, swept and depth [1]: what the nodes found of the loss, the optical depth by the nodes and
+// in
+//           closed form; result [1].
+// Domain:   all >= 0.
+// Accuracy: that of one_minus_exp.
+// Errors:   none; nodes that found next to nothing give 1. Of a ray thinner than thin_depth the nodes' depth
+//           is taken: a difference of columns has no digits for it.
+// Source:   conservation of energy.
+float airlight_loss_ratio(float found, float swept, float depth) {
+    float known = depth < airlight_thin_depth ? min(swept, airlight_thin_depth) : depth;
+    return found > airlight_smallest_share ? airlight_one_minus_exp(known) / found : 1.0;
+}
+
+// loss_ratio of each channel.
+//
+// Units:    those of loss_ratio.
+// Shape:    found, swept, depth and the result are spectra.
+// Domain:   that of loss_ratio.
+// Accuracy: that of loss_ratio.
+// Errors:   none.
+// Source:   conservation of energy.
+vec3 airlight_loss_ratios(vec3 found, vec3 swept, vec3 depth) {
+    return vec3(airlight_loss_ratio(found.x, swept.x, depth.x),
+                airlight_loss_ratio(found.y, swept.y, depth.y),
+                airlight_loss_ratio(found.z, swept.z, depth.z));
+}
+
+// The node map of one leg: the nodes of single_scattering, drawn to the eye but not to the sun, for light
+// that comes from everywhere.
+//
+// Units:    lengths in the atmosphere's unit [L].
+// Domain:   legs of ray_legs; a leg that the ray has.
+// Accuracy: none, every map is exact.
+// Errors:   none.
+// Source:   docs/theory/nodes.md.
+airlight_NodeMap airlight_leg_map(airlight_Atmosphere atmosphere, airlight_LitRay ray, airlight_RayLegs legs,
+                                  bool climbs) {
+    airlight_RayPoint high = legs.start;
+    if (climbs) {
+        high = legs.last;
+    }
+    float length = climbs ? ray.air.extent - legs.turn : legs.turn;
+    float low_along = abs(ray.air.along + legs.turn);
+    float low_radius = atmosphere.ground_radius + legs.turned.altitude;
+    float high_radius = atmosphere.ground_radius + high.altitude;
+    float rise = length * (2.0 * low_along + length) / (low_radius + high_radius);
+    float height = max(ray.layers.rayleigh_height, 1e-6 * rise);
+    float depth =
+        airlight_guiding_depth(atmosphere, airlight_column_sum(legs.turned.outwards, -1.0, high.outwards));
+    airlight_NodeFit fit = airlight_node_fit();
+    float pull = climbs ? -fit.view * depth : fit.view * depth;
+    return airlight_node_map(fit, low_radius, low_along, high_radius, rise, height, pull);
+}
+
 // ---- diffuse_light ----------------------------------------------------------
 
 // Light that comes to a point from all sides, as the air there scatters it: all that a view ray needs to
@@ -4235,40 +4408,42 @@ airlight_SkyIrradiance airlight_unpacked_sky_irradiance(airlight_IrradianceTexel
 #define AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s) (airlight_even_light(vec3(0.0, 0.0, 0.0)))
 #endif
 
-// Light from all sides that one node of a ray scatters towards the eye, dimmed on its way there.
+// The optical depth from which on a node is not seen [1].
+const float airlight_unseen_depth = 40.0;
+
+// The share of light that is left after its way from one node of a view ray to the eye; never less than
+// exp(-unseen_depth), so that nodes of which the eye sees none still weigh as much as each other.
 //
-// Units:    those of node_radiance; result [1/(L sr)] per unit of solar irradiance above the air.
-// Domain:   that of node_radiance; light is that at the node.
+// Units:    altitude and along [L] of the node, along never negative; result [1].
+// Shape:    the result is a spectrum.
+// Domain:   that of node_transmittance.
 // Accuracy: that of the columns.
 // Errors:   none; ignores the ground.
-// Source:   Beer's law, scattered_diffuse_light.
-vec3 airlight_node_diffuse_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray,
-                                    airlight_DiffuseLight light, airlight_Column offset, float outwards,
-                                    float altitude, float along, float mu_s, airlight_Density density) {
+// Source:   Beer's law.
+vec3 airlight_node_transmittance_to_eye(airlight_Atmosphere atmosphere, airlight_LitRay ray,
+                                        airlight_Column offset, float outwards, float altitude, float along,
+                                        airlight_Density density) {
     float radius = atmosphere.ground_radius + altitude;
     airlight_LinePoint on_ray =
         airlight_line_point(altitude, radius, 1.0 / radius, along, ray.air.perigee_radius,
                             ray.air.perigee_altitude);
     airlight_Column beyond = airlight_column_outwards(ray.layers, on_ray, ray.shells, density);
     vec3 depth = airlight_column_optical_depth(atmosphere, airlight_column_sum(offset, -outwards, beyond));
-    vec3 mie = vec3(0.0, 0.0, 0.0);
-#if AIRLIGHT_MIE
-    mie = atmosphere.mie_scattering * density.mie;
-#endif
-    float mu = clamp(outwards * along / radius, -1.0, 1.0);
-    vec3 source = airlight_scattered_diffuse_light(light, atmosphere.rayleigh_scattering * density.rayleigh,
-                                                   mie, mu, ray.sun.cos_theta, mu_s);
-    return source * exp(-max(depth, vec3(0.0, 0.0, 0.0)));
+    float unseen = airlight_unseen_depth;
+    return exp(-clamp(depth, vec3(0.0, 0.0, 0.0), vec3(unseen, unseen, unseen)));
 }
 
 // Light that had already been scattered, or reflected by the ground, and is scattered into a view ray.
 //
-// Scene::nodes samples on each side of the ray's closest approach to the centre, lit by the sun or not.
+// Scene::nodes samples on each side of the ray's closest approach to the centre, lit by the sun or not. They
+// also add up what the ray loses, which is known: what they found too much or too little is put right.
 //
 // Units:    those of single_scattering; result [1/sr] per unit of solar irradiance above the air.
 // Domain:   that of single_scattering.
-// Accuracy: docs/multiple_scattering.md.
-// Errors:   none; no air on the ray gives 0.
+// Accuracy: docs/multiple_scattering.md; exact in even light, L (1 - T), where the air absorbs nothing.
+// Errors:   none; no air on the ray gives 0. Where the eye sees none of the nodes, in air thousands of
+// optical
+//           depths thick, their mean.
 // Source:   the node method of single_scattering, docs/theory/nodes.md.
 vec3 airlight_diffuse_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
                                  vec3 to_sun, float distance) {
@@ -4278,55 +4453,43 @@ vec3 airlight_diffuse_scattering(airlight_Atmosphere atmosphere, airlight_Viewpo
         return radiance;
     }
     airlight_LitRay ray = airlight_lit_ray(atmosphere, air, eye, direction, to_sun);
-    airlight_NodeFit fit = airlight_node_fit();
-    bool falls = air.along < 0.0;
-    bool climbs = air.along + air.extent > 0.0;
-    airlight_RayPoint here = airlight_ray_point(atmosphere, ray, 0.0);
-    airlight_Column offset = airlight_column_sum(airlight_Column(0.0, 0.0, 0.0), -1.0, here.outwards);
-    float outwards = -1.0;
+    airlight_RayLegs legs = airlight_ray_legs(atmosphere, ray);
+    vec3 found = vec3(0.0, 0.0, 0.0);  // what the ray loses, by the nodes
+    vec3 swept = vec3(0.0, 0.0, 0.0);  // its optical depth, likewise
     for (int leg = 0; leg < 2; ++leg) {
-        if (leg == 0 ? falls : climbs) {
-            float begin = leg == 1 && falls ? -air.along : 0.0;
-            float end = leg == 0 && climbs ? -air.along : air.extent;
-            if (leg == 1) {
-                if (falls) {
-                    here = airlight_ray_point(atmosphere, ray, begin);
-                }
-                offset = airlight_column_sum(offset, 2.0, here.outwards);
-                outwards = 1.0;
-            }
-            airlight_RayPoint low = here;
-            here = airlight_ray_point(atmosphere, ray, end);
-            airlight_RayPoint high = here;
-            if (leg == 0) {
-                high = low;
-                low = here;
-            }
-            float low_along = abs(air.along + (leg == 0 ? end : begin));
-            float low_radius = atmosphere.ground_radius + low.altitude;
-            float high_radius = atmosphere.ground_radius + high.altitude;
-            float extent = max(end - begin, 0.0);
-            float rise = extent * (2.0 * low_along + extent) / (low_radius + high_radius);
-            float height = max(ray.layers.rayleigh_height, 1e-6 * rise);
-            float depth =
-                airlight_guiding_depth(atmosphere, airlight_column_sum(low.outwards, -1.0, high.outwards));
-            airlight_NodeMap map =
-                airlight_node_map(fit, low_radius, low_along, high_radius, rise, height,
-                                  -outwards * fit.view * depth);
+        bool climbs = leg == 1;
+        if (climbs ? air.along + air.extent > 0.0 : air.along < 0.0) {
+            float outwards = climbs ? 1.0 : -1.0;
+            airlight_Column offset = airlight_leg_offset(legs, climbs);
+            airlight_NodeMap map = airlight_leg_map(atmosphere, ray, legs, climbs);
             for (int j = 0; j < AIRLIGHT_NODES; ++j) {
                 airlight_Node node = airlight_node_at(map, airlight_gauss_position(j));
-                float altitude = low.altitude + node.rise;
+                float altitude = legs.turned.altitude + node.rise;
+                float radius = atmosphere.ground_radius + altitude;
+                float mu = clamp(outwards * node.along / radius, -1.0, 1.0);
                 float sun_height = ray.sun.perigee_height + outwards * node.along * ray.sun.cos_theta;
-                float mu_s = clamp(sun_height / (atmosphere.ground_radius + altitude), -1.0, 1.0);
-                radiance += airlight_gauss_weight(j) * node.stretch *
-                            airlight_node_diffuse_radiance(
-                                atmosphere, ray, AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s), offset,
-                                outwards,
-                                altitude, node.along, mu_s, airlight_layer_density(ray.layers, altitude));
+                float mu_s = clamp(sun_height / radius, -1.0, 1.0);
+                airlight_Density density = airlight_relative_density(atmosphere, altitude);
+                vec3 mie = vec3(0.0, 0.0, 0.0);
+#if AIRLIGHT_MIE
+                mie = atmosphere.mie_scattering * density.mie;
+#endif
+                vec3 source = airlight_scattered_diffuse_light(
+                    AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s),
+                    atmosphere.rayleigh_scattering * density.rayleigh, mie, mu, ray.sun.cos_theta, mu_s);
+                float share = airlight_gauss_weight(j) * node.stretch;
+                vec3 seen =
+                    share * airlight_node_transmittance_to_eye(atmosphere, ray, offset, outwards, altitude,
+                                                               node.along, density);
+                vec3 extinction = airlight_column_optical_depth(
+                    atmosphere, airlight_Column(density.rayleigh, density.mie, density.ozone));
+                radiance += source * seen;
+                found += extinction * seen;
+                swept += extinction * share;
             }
         }
     }
-    return radiance;
+    return radiance * airlight_loss_ratios(found, swept, airlight_depth_of_legs(atmosphere, legs));
 }
 
 // Sunlight scattered into a view ray, however often.
@@ -4393,7 +4556,8 @@ vec3 airlight_diffuse_scattering_marched(airlight_Atmosphere atmosphere, airligh
 
 // ---- gathered_light ---------------------------------------------------------
 
-// Hook: irradiance of the ground by the sky where the cosine between the sun and the vertical is `mu_s`.
+// Hook: irradiance [1] of level ground under a sun at cosine `mu_s`, by the light that the next order is
+// made from.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_GROUND_IRRADIANCE
 #define AIRLIGHT_GROUND_IRRADIANCE(mu_s) (vec3(0.0, 0.0, 0.0))
@@ -4433,7 +4597,7 @@ vec3 airlight_incoming_light(airlight_Atmosphere atmosphere, float altitude, vec
         float mu_s = clamp(sun_height / atmosphere.ground_radius, -1.0, 1.0);
         vec3 irradiance = vec3(0.0, 0.0, 0.0);
         if (first_order) {
-            irradiance = max(mu_s, 0.0) * airlight_transmittance_to_space(atmosphere, 0.0, mu_s);
+            irradiance = airlight_direct_irradiance(atmosphere, 0.0, mu_s);
         } else {
             irradiance = AIRLIGHT_GROUND_IRRADIANCE(mu_s);
         }
@@ -4442,12 +4606,6 @@ vec3 airlight_incoming_light(airlight_Atmosphere atmosphere, float altitude, vec
     }
     return radiance;
 }
-
-// Cosines of the azimuths that gathered_light looks at, those before 90 degrees [1].
-const float airlight_gathered_azimuths[8] = float[8](0.99518472667219688624, 0.95694033573220886494,
-                                                     0.88192126434835502971, 0.77301045336273696081,
-                                                     0.63439328416364549822, 0.47139673682599764856,
-                                                     0.29028467725446236764, 0.098017140329560601994);
 
 // One texel of one order of the diffuse table: light from 16 azimuths on each side of the sun's, at
 // Scene::nodes heights above and as many below the horizon.
@@ -4469,20 +4627,22 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
     float sun_cosine = clamp(mu_s, -0.99955, 0.99955);
     float sun_sine = sqrt((1.0 - sun_cosine) * (1.0 + sun_cosine));
     vec3 to_sun = vec3(sun_sine, 0.0, sun_cosine);
-    float horizon =
-        -sqrt(above * (2.0 * atmosphere.ground_radius + above)) / (atmosphere.ground_radius + above);
     float strength = 4.0 * airlight_pi;
+    float g = atmosphere.mie_g;
+    float up = 0.0;
+    float down = 0.0;
+    float sunward = 0.0;
+    float away = 0.0;
+    float aside = 0.0;
     for (int side = 0; side < 2; ++side) {
-        float width = side == 0 ? 1.0 - horizon : -1.0 - horizon;
-        for (int j = 0; j < AIRLIGHT_NODES; ++j) {
-            float v = airlight_gauss_position(j);
-            float z = horizon + width * v * v;
-            float sine = airlight_safe_sqrt((1.0 - z) * (1.0 + z));
-            float share = airlight_gauss_weight(j) * v * abs(width) * 0.0625;
-            for (int k = 0; k < 16; ++k) {
-                float cosine = k < 8 ? airlight_gathered_azimuths[k] : -airlight_gathered_azimuths[15 - k];
-                float x = sine * cosine;
-                float y = sine * sqrt((1.0 - cosine) * (1.0 + cosine));
+        for (int polar = 0; polar < AIRLIGHT_NODES; ++polar) {
+            for (int azimuth = 0; azimuth < 16; ++azimuth) {
+                airlight_SphereDirection from =
+                    airlight_sphere_direction(atmosphere.ground_radius, above, side, polar, azimuth);
+                float x = from.sine * from.cos_azimuth;
+                float y = from.sine * from.sin_azimuth;
+                float z = from.mu;
+                float share = 2.0 * from.solid_angle / strength;
                 vec3 arriving =
                     share * airlight_incoming_light(atmosphere, above, vec3(x, y, z), to_sun, first_order);
                 light.mean += arriving;
@@ -4493,18 +4653,31 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
                 irradiance.up += (strength * max(-z, 0.0)) * arriving;
                 irradiance.sunward += (strength * x / sun_sine) * arriving;
 #if AIRLIGHT_MIE
-                float g = atmosphere.mie_g;
-                light.aerosol_up += (strength * airlight_mie_phase(z, g)) * arriving;
-                light.aerosol_down += (strength * airlight_mie_phase(-z, g)) * arriving;
-                light.aerosol_sunward += (strength * airlight_mie_phase(x, g)) * arriving;
-                light.aerosol_away += (strength * airlight_mie_phase(-x, g)) * arriving;
-                light.aerosol_aside +=
-                    (0.5 * strength * (airlight_mie_phase(y, g) + airlight_mie_phase(-y, g))) *
-                    arriving;
+                float to_up = airlight_mie_phase(z, g);
+                float to_down = airlight_mie_phase(-z, g);
+                float to_sunward = airlight_mie_phase(x, g);
+                float to_away = airlight_mie_phase(-x, g);
+                float to_aside = airlight_mie_phase(y, g) + airlight_mie_phase(-y, g);
+                light.aerosol_up += to_up * arriving;
+                light.aerosol_down += to_down * arriving;
+                light.aerosol_sunward += to_sunward * arriving;
+                light.aerosol_away += to_away * arriving;
+                light.aerosol_aside += to_aside * arriving;
+                up += to_up * share;
+                down += to_down * share;
+                sunward += to_sunward * share;
+                away += to_away * share;
+                aside += to_aside * share;
 #endif
             }
         }
     }
+    // Few directions do not find all of a narrow lobe: what they find of it counts as the whole.
+    light.aerosol_up /= max(up, airlight_smallest_share);
+    light.aerosol_down /= max(down, airlight_smallest_share);
+    light.aerosol_sunward /= max(sunward, airlight_smallest_share);
+    light.aerosol_away /= max(away, airlight_smallest_share);
+    light.aerosol_aside /= max(aside, airlight_smallest_share);
     return airlight_GatheredLight(light, irradiance);
 }
 
@@ -4602,24 +4775,6 @@ struct airlight_PhaseWeighted {
     vec3 mie;       // [1/sr] that aerosol turns into it
 };
 
-// The two legs of a ray, down to its closest approach to the centre and up from there.
-struct airlight_RayLegs {
-    float turn;                // [L] from the start to where the legs meet
-    airlight_RayPoint start;   // where the ray starts
-    airlight_RayPoint turned;  // its closest approach, or the end that is nearest to it
-    airlight_RayPoint last;    // where it ends
-};
-
-// A direction of the rule by which light is gathered from the whole sphere. The sun stands at azimuth 0; the
-// direction counts twice, left and right of it.
-struct airlight_SphereDirection {
-    float mu;           // [1] cosine to the vertical
-    float sine;         // [1] of the same angle
-    float cos_azimuth;  // [1] of the angle from the sun's azimuth
-    float sin_azimuth;  // [1] of the same angle, positive
-    float solid_angle;  // [sr] that one of the two stands for
-};
-
 // The stretch of a table's ray inside the air.
 //
 // Units:    lengths in the atmosphere's unit [L]; mu [1].
@@ -4700,46 +4855,6 @@ vec3 airlight_energy_share(vec3 found, vec3 depth) {
                 airlight_share_found(found.z, airlight_one_minus_exp(depth.z)));
 }
 
-// The legs of a ray.
-//
-// Units:    lengths in the atmosphere's unit [L].
-// Domain:   a ray in the air.
-// Accuracy: that of ray_point.
-// Errors:   none; a leg that the ray does not have is empty.
-// Source:   ray_point.
-airlight_RayLegs airlight_ray_legs(airlight_Atmosphere atmosphere, airlight_LitRay ray) {
-    float turn = clamp(-ray.air.along, 0.0, ray.air.extent);
-    return airlight_RayLegs(turn, airlight_ray_point(atmosphere, ray, 0.0),
-                            airlight_ray_point(atmosphere, ray, turn),
-                            airlight_ray_point(atmosphere, ray, ray.air.extent));
-}
-
-// What the air between a ray's start and a point of a leg is counted from: it is this less the point's air
-// outwards where the leg climbs, and plus it where the leg falls.
-//
-// Units:    result [L].
-// Domain:   legs of ray_legs.
-// Accuracy: 3 roundoffs of the largest column.
-// Errors:   none.
-// Source:   column_outwards.
-airlight_Column airlight_leg_offset(airlight_RayLegs legs, bool climbs) {
-    airlight_Column down = airlight_column_sum(airlight_Column(0.0, 0.0, 0.0), -1.0, legs.start.outwards);
-    return airlight_column_sum(down, climbs ? 2.0 : 0.0, legs.turned.outwards);
-}
-
-// The optical depth of a whole ray.
-//
-// Units:    result [1].
-// Shape:    the result is a spectrum.
-// Domain:   legs of ray_legs.
-// Accuracy: that of column_outwards.
-// Errors:   none; rounding below 0 counts as 0.
-// Source:   leg_offset.
-vec3 airlight_depth_of_legs(airlight_Atmosphere atmosphere, airlight_RayLegs legs) {
-    airlight_Column passed = airlight_column_sum(airlight_leg_offset(legs, true), -1.0, legs.last.outwards);
-    return max(airlight_column_optical_depth(atmosphere, passed), vec3(0.0, 0.0, 0.0));
-}
-
 // Light scattered once into a ray, molecules and aerosol apart: the first order of every table.
 //
 //     rayleigh = sigma_R integral of rho_R T(eye, x) T(x, sun) over the lit part of the ray, mie likewise
@@ -4814,30 +4929,6 @@ airlight_InScatter airlight_single_inscatter(airlight_Atmosphere atmosphere, flo
     mie *= atmosphere.mie_scattering;
     vec3 scale = airlight_energy_share(rayleigh + mie, airlight_depth_of_legs(atmosphere, legs));
     return airlight_InScatter(rayleigh * scale, mie * scale);
-}
-
-// A direction of the rule by which light is gathered: Scene::nodes polar angles above the horizon and as
-// many below it, close to the horizon where the light changes most, and 32 azimuths.
-//
-//     mu = horizon +- (1 -+ horizon) u^2,   u of Gauss and Legendre
-//
-// Units:    lengths in one unit [L].
-// Domain:   altitude >= 0; side 0 for the sky, 1 for the ground; polar from 0 to Scene::nodes - 1, from the
-//           horizon on; azimuth from 0 to 15.
-// Accuracy: 4 ulp; all solid angles together 4 pi.
-// Errors:   none in the domain.
-// Source:   Gauss-Legendre quadrature after a change of variable; equal steps on a circle.
-airlight_SphereDirection airlight_sphere_direction(float ground_radius, float altitude, int side, int polar,
-                                                   int azimuth) {
-    float horizon = max(airlight_horizon_cosine(ground_radius, altitude), -1.0);
-    float u = airlight_gauss_position(polar);
-    float reach = side == 0 ? 1.0 - horizon : 1.0 + horizon;
-    float mu = side == 0 ? horizon + reach * (u * u) : horizon - reach * (u * u);
-    float sine = airlight_safe_sqrt((1.0 - mu) * (1.0 + mu));
-    float cosine = azimuth < 8 ? airlight_gathered_azimuths[azimuth] : -airlight_gathered_azimuths[15 - azimuth];
-    float across = azimuth < 8 ? airlight_gathered_azimuths[7 - azimuth] : airlight_gathered_azimuths[azimuth - 8];
-    float solid_angle = airlight_gauss_weight(polar) * u * reach * (airlight_pi * 0.125);
-    return airlight_SphereDirection(mu, sine, cosine, across, solid_angle);
 }
 
 // Light from one direction of sphere_direction, of one order: through the air, and off the ground.
@@ -4984,32 +5075,15 @@ vec3 airlight_next_order_radiance(airlight_Atmosphere atmosphere, float altitude
         return nothing;
     }
     airlight_LitRay ray = airlight_table_lit_ray(atmosphere, air, mu, mu_s, nu);
-    airlight_NodeFit fit = airlight_node_fit();
     airlight_RayLegs legs = airlight_ray_legs(atmosphere, ray);
-    float low_radius = atmosphere.ground_radius + legs.turned.altitude;
-    float low_along = abs(air.along + legs.turn);
     vec3 radiance = nothing;
     vec3 found = nothing;
     for (int leg = 0; leg < 2; ++leg) {
         bool falls = leg == 0;
         if (falls ? air.along < 0.0 : air.along + air.extent > 0.0) {
-            // The nodes of single scattering, drawn to the eye but not to the sun: this light comes from
-            // everywhere.
-            airlight_RayPoint high = legs.last;
-            if (falls) {
-                high = legs.start;
-            }
             float outwards = falls ? -1.0 : 1.0;
             airlight_Column offset = airlight_leg_offset(legs, !falls);
-            float length = falls ? legs.turn : air.extent - legs.turn;
-            float high_radius = atmosphere.ground_radius + high.altitude;
-            float rise = length * (2.0 * low_along + length) / (low_radius + high_radius);
-            float height = max(ray.layers.rayleigh_height, 1e-6 * rise);
-            float view_depth =
-                airlight_guiding_depth(atmosphere,
-                                       airlight_column_sum(legs.turned.outwards, -1.0, high.outwards));
-            airlight_NodeMap map = airlight_node_map(fit, low_radius, low_along, high_radius, rise, height,
-                                                     -outwards * fit.view * view_depth);
+            airlight_NodeMap map = airlight_leg_map(atmosphere, ray, legs, !falls);
             for (int j = 0; j < AIRLIGHT_NODES; ++j) {
                 airlight_Node node = airlight_node_at(map, airlight_gauss_position(j));
                 float t = legs.turn + outwards * node.way;
@@ -5038,18 +5112,6 @@ vec3 airlight_next_order_radiance(airlight_Atmosphere atmosphere, float altitude
                        airlight_missed_light(found.y, lost.y, source.y, taken.y),
                        airlight_missed_light(found.z, lost.z, source.z, taken.z));
     return radiance * airlight_energy_share(found, total) + missed;
-}
-
-// Irradiance of level ground, or of a level surface over it, straight from the sun.
-//
-// Units:    altitude [L]; mu_s [1]; result [1].
-// Shape:    the result is a spectrum.
-// Domain:   that of transmittance_to_space.
-// Accuracy: that of transmittance_to_space.
-// Errors:   none; a sun below the horizontal gives 0.
-// Source:   Lambert's cosine law.
-vec3 airlight_direct_irradiance(airlight_Atmosphere atmosphere, float altitude, float mu_s) {
-    return max(mu_s, 0.0) * airlight_transmittance_to_space(atmosphere, altitude, mu_s);
 }
 
 // Irradiance of a level surface by the light of one order, from the upper half of the sphere.

@@ -3,6 +3,7 @@
 #define AIRLIGHT_GATHERED_LIGHT_GLSL
 
 #include "airlight/constants.glsl"
+#include "airlight/gathering.glsl"
 #include "airlight/multiple_scattering.glsl"
 #include "airlight/sky_irradiance.glsl"
 
@@ -13,7 +14,8 @@
 #define AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s) (airlight_even_light(vec3(0.0, 0.0, 0.0)))
 #endif
 
-// Hook: irradiance of the ground by the sky where the cosine between the sun and the vertical is `mu_s`.
+// Hook: irradiance [1] of level ground under a sun at cosine `mu_s`, by the light that the next order is
+// made from.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_GROUND_IRRADIANCE
 #define AIRLIGHT_GROUND_IRRADIANCE(mu_s) (vec3(0.0, 0.0, 0.0))
@@ -59,7 +61,7 @@ vec3 airlight_incoming_light(airlight_Atmosphere atmosphere, float altitude, vec
         float mu_s = clamp(sun_height / atmosphere.ground_radius, -1.0, 1.0);
         vec3 irradiance = vec3(0.0, 0.0, 0.0);
         if (first_order) {
-            irradiance = max(mu_s, 0.0) * airlight_transmittance_to_space(atmosphere, 0.0, mu_s);
+            irradiance = airlight_direct_irradiance(atmosphere, 0.0, mu_s);
         } else {
             irradiance = AIRLIGHT_GROUND_IRRADIANCE(mu_s);
         }
@@ -68,12 +70,6 @@ vec3 airlight_incoming_light(airlight_Atmosphere atmosphere, float altitude, vec
     }
     return radiance;
 }
-
-// Cosines of the azimuths that gathered_light looks at, those before 90 degrees [1].
-const float airlight_gathered_azimuths[8] = float[8](0.99518472667219688624, 0.95694033573220886494,
-                                                     0.88192126434835502971, 0.77301045336273696081,
-                                                     0.63439328416364549822, 0.47139673682599764856,
-                                                     0.29028467725446236764, 0.098017140329560601994);
 
 // One texel of one order of the diffuse table: light from 16 azimuths on each side of the sun's, at
 // Scene::nodes heights above and as many below the horizon.
@@ -95,20 +91,22 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
     float sun_cosine = clamp(mu_s, -0.99955, 0.99955);
     float sun_sine = sqrt((1.0 - sun_cosine) * (1.0 + sun_cosine));
     vec3 to_sun = vec3(sun_sine, 0.0, sun_cosine);
-    float horizon =
-        -sqrt(above * (2.0 * atmosphere.ground_radius + above)) / (atmosphere.ground_radius + above);
     float strength = 4.0 * airlight_pi;
+    float g = atmosphere.mie_g;
+    float up = 0.0;
+    float down = 0.0;
+    float sunward = 0.0;
+    float away = 0.0;
+    float aside = 0.0;
     for (int side = 0; side < 2; ++side) {
-        float width = side == 0 ? 1.0 - horizon : -1.0 - horizon;
-        for (int j = 0; j < AIRLIGHT_NODES; ++j) {
-            float v = airlight_gauss_position(j);
-            float z = horizon + width * v * v;
-            float sine = airlight_safe_sqrt((1.0 - z) * (1.0 + z));
-            float share = airlight_gauss_weight(j) * v * abs(width) * 0.0625;
-            for (int k = 0; k < 16; ++k) {
-                float cosine = k < 8 ? airlight_gathered_azimuths[k] : -airlight_gathered_azimuths[15 - k];
-                float x = sine * cosine;
-                float y = sine * sqrt((1.0 - cosine) * (1.0 + cosine));
+        for (int polar = 0; polar < AIRLIGHT_NODES; ++polar) {
+            for (int azimuth = 0; azimuth < 16; ++azimuth) {
+                airlight_SphereDirection from =
+                    airlight_sphere_direction(atmosphere.ground_radius, above, side, polar, azimuth);
+                float x = from.sine * from.cos_azimuth;
+                float y = from.sine * from.sin_azimuth;
+                float z = from.mu;
+                float share = 2.0 * from.solid_angle / strength;
                 vec3 arriving =
                     share * airlight_incoming_light(atmosphere, above, vec3(x, y, z), to_sun, first_order);
                 light.mean += arriving;
@@ -119,18 +117,31 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
                 irradiance.up += (strength * max(-z, 0.0)) * arriving;
                 irradiance.sunward += (strength * x / sun_sine) * arriving;
 #if AIRLIGHT_MIE
-                float g = atmosphere.mie_g;
-                light.aerosol_up += (strength * airlight_mie_phase(z, g)) * arriving;
-                light.aerosol_down += (strength * airlight_mie_phase(-z, g)) * arriving;
-                light.aerosol_sunward += (strength * airlight_mie_phase(x, g)) * arriving;
-                light.aerosol_away += (strength * airlight_mie_phase(-x, g)) * arriving;
-                light.aerosol_aside +=
-                    (0.5 * strength * (airlight_mie_phase(y, g) + airlight_mie_phase(-y, g))) *
-                    arriving;
+                float to_up = airlight_mie_phase(z, g);
+                float to_down = airlight_mie_phase(-z, g);
+                float to_sunward = airlight_mie_phase(x, g);
+                float to_away = airlight_mie_phase(-x, g);
+                float to_aside = airlight_mie_phase(y, g) + airlight_mie_phase(-y, g);
+                light.aerosol_up += to_up * arriving;
+                light.aerosol_down += to_down * arriving;
+                light.aerosol_sunward += to_sunward * arriving;
+                light.aerosol_away += to_away * arriving;
+                light.aerosol_aside += to_aside * arriving;
+                up += to_up * share;
+                down += to_down * share;
+                sunward += to_sunward * share;
+                away += to_away * share;
+                aside += to_aside * share;
 #endif
             }
         }
     }
+    // Few directions do not find all of a narrow lobe: what they find of it counts as the whole.
+    light.aerosol_up /= max(up, airlight_smallest_share);
+    light.aerosol_down /= max(down, airlight_smallest_share);
+    light.aerosol_sunward /= max(sunward, airlight_smallest_share);
+    light.aerosol_away /= max(away, airlight_smallest_share);
+    light.aerosol_aside /= max(aside, airlight_smallest_share);
     return airlight_GatheredLight(light, irradiance);
 }
 

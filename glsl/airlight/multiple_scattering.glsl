@@ -3,7 +3,7 @@
 #define AIRLIGHT_MULTIPLE_SCATTERING_GLSL
 
 #include "airlight/diffuse_light.glsl"
-#include "airlight/single_scattering.glsl"
+#include "airlight/ray_legs.glsl"
 
 // Hook: light from all sides at an altitude where the cosine between the sun and the vertical is `mu_s`,
 // per unit of solar irradiance above the air.
@@ -18,40 +18,42 @@
 #define AIRLIGHT_VISIBILITY(position) 1.0
 #endif
 
-// Light from all sides that one node of a ray scatters towards the eye, dimmed on its way there.
+// The optical depth from which on a node is not seen [1].
+const float airlight_unseen_depth = 40.0;
+
+// The share of light that is left after its way from one node of a view ray to the eye; never less than
+// exp(-unseen_depth), so that nodes of which the eye sees none still weigh as much as each other.
 //
-// Units:    those of node_radiance; result [1/(L sr)] per unit of solar irradiance above the air.
-// Domain:   that of node_radiance; light is that at the node.
+// Units:    altitude and along [L] of the node, along never negative; result [1].
+// Shape:    the result is a spectrum.
+// Domain:   that of node_transmittance.
 // Accuracy: that of the columns.
 // Errors:   none; ignores the ground.
-// Source:   Beer's law, scattered_diffuse_light.
-vec3 airlight_node_diffuse_radiance(airlight_Atmosphere atmosphere, airlight_LitRay ray,
-                                    airlight_DiffuseLight light, airlight_Column offset, float outwards,
-                                    float altitude, float along, float mu_s, airlight_Density density) {
+// Source:   Beer's law.
+vec3 airlight_node_transmittance_to_eye(airlight_Atmosphere atmosphere, airlight_LitRay ray,
+                                        airlight_Column offset, float outwards, float altitude, float along,
+                                        airlight_Density density) {
     float radius = atmosphere.ground_radius + altitude;
     airlight_LinePoint on_ray =
         airlight_line_point(altitude, radius, 1.0 / radius, along, ray.air.perigee_radius,
                             ray.air.perigee_altitude);
     airlight_Column beyond = airlight_column_outwards(ray.layers, on_ray, ray.shells, density);
     vec3 depth = airlight_column_optical_depth(atmosphere, airlight_column_sum(offset, -outwards, beyond));
-    vec3 mie = vec3(0.0, 0.0, 0.0);
-#if AIRLIGHT_MIE
-    mie = atmosphere.mie_scattering * density.mie;
-#endif
-    float mu = clamp(outwards * along / radius, -1.0, 1.0);
-    vec3 source = airlight_scattered_diffuse_light(light, atmosphere.rayleigh_scattering * density.rayleigh,
-                                                   mie, mu, ray.sun.cos_theta, mu_s);
-    return source * exp(-max(depth, vec3(0.0, 0.0, 0.0)));
+    float unseen = airlight_unseen_depth;
+    return exp(-clamp(depth, vec3(0.0, 0.0, 0.0), vec3(unseen, unseen, unseen)));
 }
 
 // Light that had already been scattered, or reflected by the ground, and is scattered into a view ray.
 //
-// Scene::nodes samples on each side of the ray's closest approach to the centre, lit by the sun or not.
+// Scene::nodes samples on each side of the ray's closest approach to the centre, lit by the sun or not. They
+// also add up what the ray loses, which is known: what they found too much or too little is put right.
 //
 // Units:    those of single_scattering; result [1/sr] per unit of solar irradiance above the air.
 // Domain:   that of single_scattering.
-// Accuracy: docs/multiple_scattering.md.
-// Errors:   none; no air on the ray gives 0.
+// Accuracy: docs/multiple_scattering.md; exact in even light, L (1 - T), where the air absorbs nothing.
+// Errors:   none; no air on the ray gives 0. Where the eye sees none of the nodes, in air thousands of
+// optical
+//           depths thick, their mean.
 // Source:   the node method of single_scattering, docs/theory/nodes.md.
 vec3 airlight_diffuse_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
                                  vec3 to_sun, float distance) {
@@ -61,55 +63,43 @@ vec3 airlight_diffuse_scattering(airlight_Atmosphere atmosphere, airlight_Viewpo
         return radiance;
     }
     airlight_LitRay ray = airlight_lit_ray(atmosphere, air, eye, direction, to_sun);
-    airlight_NodeFit fit = airlight_node_fit();
-    bool falls = air.along < 0.0;
-    bool climbs = air.along + air.extent > 0.0;
-    airlight_RayPoint here = airlight_ray_point(atmosphere, ray, 0.0);
-    airlight_Column offset = airlight_column_sum(airlight_Column(0.0, 0.0, 0.0), -1.0, here.outwards);
-    float outwards = -1.0;
+    airlight_RayLegs legs = airlight_ray_legs(atmosphere, ray);
+    vec3 found = vec3(0.0, 0.0, 0.0);  // what the ray loses, by the nodes
+    vec3 swept = vec3(0.0, 0.0, 0.0);  // its optical depth, likewise
     for (int leg = 0; leg < 2; ++leg) {
-        if (leg == 0 ? falls : climbs) {
-            float begin = leg == 1 && falls ? -air.along : 0.0;
-            float end = leg == 0 && climbs ? -air.along : air.extent;
-            if (leg == 1) {
-                if (falls) {
-                    here = airlight_ray_point(atmosphere, ray, begin);
-                }
-                offset = airlight_column_sum(offset, 2.0, here.outwards);
-                outwards = 1.0;
-            }
-            airlight_RayPoint low = here;
-            here = airlight_ray_point(atmosphere, ray, end);
-            airlight_RayPoint high = here;
-            if (leg == 0) {
-                high = low;
-                low = here;
-            }
-            float low_along = abs(air.along + (leg == 0 ? end : begin));
-            float low_radius = atmosphere.ground_radius + low.altitude;
-            float high_radius = atmosphere.ground_radius + high.altitude;
-            float extent = max(end - begin, 0.0);
-            float rise = extent * (2.0 * low_along + extent) / (low_radius + high_radius);
-            float height = max(ray.layers.rayleigh_height, 1e-6 * rise);
-            float depth =
-                airlight_guiding_depth(atmosphere, airlight_column_sum(low.outwards, -1.0, high.outwards));
-            airlight_NodeMap map =
-                airlight_node_map(fit, low_radius, low_along, high_radius, rise, height,
-                                  -outwards * fit.view * depth);
+        bool climbs = leg == 1;
+        if (climbs ? air.along + air.extent > 0.0 : air.along < 0.0) {
+            float outwards = climbs ? 1.0 : -1.0;
+            airlight_Column offset = airlight_leg_offset(legs, climbs);
+            airlight_NodeMap map = airlight_leg_map(atmosphere, ray, legs, climbs);
             for (int j = 0; j < AIRLIGHT_NODES; ++j) {
                 airlight_Node node = airlight_node_at(map, airlight_gauss_position(j));
-                float altitude = low.altitude + node.rise;
+                float altitude = legs.turned.altitude + node.rise;
+                float radius = atmosphere.ground_radius + altitude;
+                float mu = clamp(outwards * node.along / radius, -1.0, 1.0);
                 float sun_height = ray.sun.perigee_height + outwards * node.along * ray.sun.cos_theta;
-                float mu_s = clamp(sun_height / (atmosphere.ground_radius + altitude), -1.0, 1.0);
-                radiance += airlight_gauss_weight(j) * node.stretch *
-                            airlight_node_diffuse_radiance(
-                                atmosphere, ray, AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s), offset,
-                                outwards,
-                                altitude, node.along, mu_s, airlight_layer_density(ray.layers, altitude));
+                float mu_s = clamp(sun_height / radius, -1.0, 1.0);
+                airlight_Density density = airlight_relative_density(atmosphere, altitude);
+                vec3 mie = vec3(0.0, 0.0, 0.0);
+#if AIRLIGHT_MIE
+                mie = atmosphere.mie_scattering * density.mie;
+#endif
+                vec3 source = airlight_scattered_diffuse_light(
+                    AIRLIGHT_MULTIPLE_SCATTERING(altitude, mu_s),
+                    atmosphere.rayleigh_scattering * density.rayleigh, mie, mu, ray.sun.cos_theta, mu_s);
+                float share = airlight_gauss_weight(j) * node.stretch;
+                vec3 seen =
+                    share * airlight_node_transmittance_to_eye(atmosphere, ray, offset, outwards, altitude,
+                                                               node.along, density);
+                vec3 extinction = airlight_column_optical_depth(
+                    atmosphere, airlight_Column(density.rayleigh, density.mie, density.ozone));
+                radiance += source * seen;
+                found += extinction * seen;
+                swept += extinction * share;
             }
         }
     }
-    return radiance;
+    return radiance * airlight_loss_ratios(found, swept, airlight_depth_of_legs(atmosphere, legs));
 }
 
 // Sunlight scattered into a view ray, however often.

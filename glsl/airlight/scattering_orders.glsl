@@ -2,8 +2,8 @@
 #ifndef AIRLIGHT_SCATTERING_ORDERS_GLSL
 #define AIRLIGHT_SCATTERING_ORDERS_GLSL
 
-#include "airlight/gathered_light.glsl"
-#include "airlight/single_scattering.glsl"
+#include "airlight/gathering.glsl"
+#include "airlight/ray_legs.glsl"
 #include "airlight/table_mapping.glsl"
 
 // Hook: what a table holds for a ray; the function that calls it says of what.
@@ -56,24 +56,6 @@ struct airlight_InScatter {
 struct airlight_PhaseWeighted {
     vec3 rayleigh;  // [1/sr] that molecules turn into a direction
     vec3 mie;       // [1/sr] that aerosol turns into it
-};
-
-// The two legs of a ray, down to its closest approach to the centre and up from there.
-struct airlight_RayLegs {
-    float turn;                // [L] from the start to where the legs meet
-    airlight_RayPoint start;   // where the ray starts
-    airlight_RayPoint turned;  // its closest approach, or the end that is nearest to it
-    airlight_RayPoint last;    // where it ends
-};
-
-// A direction of the rule by which light is gathered from the whole sphere. The sun stands at azimuth 0; the
-// direction counts twice, left and right of it.
-struct airlight_SphereDirection {
-    float mu;           // [1] cosine to the vertical
-    float sine;         // [1] of the same angle
-    float cos_azimuth;  // [1] of the angle from the sun's azimuth
-    float sin_azimuth;  // [1] of the same angle, positive
-    float solid_angle;  // [sr] that one of the two stands for
 };
 
 // The stretch of a table's ray inside the air.
@@ -156,46 +138,6 @@ vec3 airlight_energy_share(vec3 found, vec3 depth) {
                 airlight_share_found(found.z, airlight_one_minus_exp(depth.z)));
 }
 
-// The legs of a ray.
-//
-// Units:    lengths in the atmosphere's unit [L].
-// Domain:   a ray in the air.
-// Accuracy: that of ray_point.
-// Errors:   none; a leg that the ray does not have is empty.
-// Source:   ray_point.
-airlight_RayLegs airlight_ray_legs(airlight_Atmosphere atmosphere, airlight_LitRay ray) {
-    float turn = clamp(-ray.air.along, 0.0, ray.air.extent);
-    return airlight_RayLegs(turn, airlight_ray_point(atmosphere, ray, 0.0),
-                            airlight_ray_point(atmosphere, ray, turn),
-                            airlight_ray_point(atmosphere, ray, ray.air.extent));
-}
-
-// What the air between a ray's start and a point of a leg is counted from: it is this less the point's air
-// outwards where the leg climbs, and plus it where the leg falls.
-//
-// Units:    result [L].
-// Domain:   legs of ray_legs.
-// Accuracy: 3 roundoffs of the largest column.
-// Errors:   none.
-// Source:   column_outwards.
-airlight_Column airlight_leg_offset(airlight_RayLegs legs, bool climbs) {
-    airlight_Column down = airlight_column_sum(airlight_Column(0.0, 0.0, 0.0), -1.0, legs.start.outwards);
-    return airlight_column_sum(down, climbs ? 2.0 : 0.0, legs.turned.outwards);
-}
-
-// The optical depth of a whole ray.
-//
-// Units:    result [1].
-// Shape:    the result is a spectrum.
-// Domain:   legs of ray_legs.
-// Accuracy: that of column_outwards.
-// Errors:   none; rounding below 0 counts as 0.
-// Source:   leg_offset.
-vec3 airlight_depth_of_legs(airlight_Atmosphere atmosphere, airlight_RayLegs legs) {
-    airlight_Column passed = airlight_column_sum(airlight_leg_offset(legs, true), -1.0, legs.last.outwards);
-    return max(airlight_column_optical_depth(atmosphere, passed), vec3(0.0, 0.0, 0.0));
-}
-
 // Light scattered once into a ray, molecules and aerosol apart: the first order of every table.
 //
 //     rayleigh = sigma_R integral of rho_R T(eye, x) T(x, sun) over the lit part of the ray, mie likewise
@@ -270,30 +212,6 @@ airlight_InScatter airlight_single_inscatter(airlight_Atmosphere atmosphere, flo
     mie *= atmosphere.mie_scattering;
     vec3 scale = airlight_energy_share(rayleigh + mie, airlight_depth_of_legs(atmosphere, legs));
     return airlight_InScatter(rayleigh * scale, mie * scale);
-}
-
-// A direction of the rule by which light is gathered: Scene::nodes polar angles above the horizon and as
-// many below it, close to the horizon where the light changes most, and 32 azimuths.
-//
-//     mu = horizon +- (1 -+ horizon) u^2,   u of Gauss and Legendre
-//
-// Units:    lengths in one unit [L].
-// Domain:   altitude >= 0; side 0 for the sky, 1 for the ground; polar from 0 to Scene::nodes - 1, from the
-//           horizon on; azimuth from 0 to 15.
-// Accuracy: 4 ulp; all solid angles together 4 pi.
-// Errors:   none in the domain.
-// Source:   Gauss-Legendre quadrature after a change of variable; equal steps on a circle.
-airlight_SphereDirection airlight_sphere_direction(float ground_radius, float altitude, int side, int polar,
-                                                   int azimuth) {
-    float horizon = max(airlight_horizon_cosine(ground_radius, altitude), -1.0);
-    float u = airlight_gauss_position(polar);
-    float reach = side == 0 ? 1.0 - horizon : 1.0 + horizon;
-    float mu = side == 0 ? horizon + reach * (u * u) : horizon - reach * (u * u);
-    float sine = airlight_safe_sqrt((1.0 - mu) * (1.0 + mu));
-    float cosine = azimuth < 8 ? airlight_gathered_azimuths[azimuth] : -airlight_gathered_azimuths[15 - azimuth];
-    float across = azimuth < 8 ? airlight_gathered_azimuths[7 - azimuth] : airlight_gathered_azimuths[azimuth - 8];
-    float solid_angle = airlight_gauss_weight(polar) * u * reach * (airlight_pi * 0.125);
-    return airlight_SphereDirection(mu, sine, cosine, across, solid_angle);
 }
 
 // Light from one direction of sphere_direction, of one order: through the air, and off the ground.
@@ -440,32 +358,15 @@ vec3 airlight_next_order_radiance(airlight_Atmosphere atmosphere, float altitude
         return nothing;
     }
     airlight_LitRay ray = airlight_table_lit_ray(atmosphere, air, mu, mu_s, nu);
-    airlight_NodeFit fit = airlight_node_fit();
     airlight_RayLegs legs = airlight_ray_legs(atmosphere, ray);
-    float low_radius = atmosphere.ground_radius + legs.turned.altitude;
-    float low_along = abs(air.along + legs.turn);
     vec3 radiance = nothing;
     vec3 found = nothing;
     for (int leg = 0; leg < 2; ++leg) {
         bool falls = leg == 0;
         if (falls ? air.along < 0.0 : air.along + air.extent > 0.0) {
-            // The nodes of single scattering, drawn to the eye but not to the sun: this light comes from
-            // everywhere.
-            airlight_RayPoint high = legs.last;
-            if (falls) {
-                high = legs.start;
-            }
             float outwards = falls ? -1.0 : 1.0;
             airlight_Column offset = airlight_leg_offset(legs, !falls);
-            float length = falls ? legs.turn : air.extent - legs.turn;
-            float high_radius = atmosphere.ground_radius + high.altitude;
-            float rise = length * (2.0 * low_along + length) / (low_radius + high_radius);
-            float height = max(ray.layers.rayleigh_height, 1e-6 * rise);
-            float view_depth =
-                airlight_guiding_depth(atmosphere,
-                                       airlight_column_sum(legs.turned.outwards, -1.0, high.outwards));
-            airlight_NodeMap map = airlight_node_map(fit, low_radius, low_along, high_radius, rise, height,
-                                                     -outwards * fit.view * view_depth);
+            airlight_NodeMap map = airlight_leg_map(atmosphere, ray, legs, !falls);
             for (int j = 0; j < AIRLIGHT_NODES; ++j) {
                 airlight_Node node = airlight_node_at(map, airlight_gauss_position(j));
                 float t = legs.turn + outwards * node.way;
@@ -494,18 +395,6 @@ vec3 airlight_next_order_radiance(airlight_Atmosphere atmosphere, float altitude
                        airlight_missed_light(found.y, lost.y, source.y, taken.y),
                        airlight_missed_light(found.z, lost.z, source.z, taken.z));
     return radiance * airlight_energy_share(found, total) + missed;
-}
-
-// Irradiance of level ground, or of a level surface over it, straight from the sun.
-//
-// Units:    altitude [L]; mu_s [1]; result [1].
-// Shape:    the result is a spectrum.
-// Domain:   that of transmittance_to_space.
-// Accuracy: that of transmittance_to_space.
-// Errors:   none; a sun below the horizontal gives 0.
-// Source:   Lambert's cosine law.
-vec3 airlight_direct_irradiance(airlight_Atmosphere atmosphere, float altitude, float mu_s) {
-    return max(mu_s, 0.0) * airlight_transmittance_to_space(atmosphere, altitude, mu_s);
 }
 
 // Irradiance of a level surface by the light of one order, from the upper half of the sphere.

@@ -46,6 +46,9 @@
 #include <airlight/sky_view_mapping.hpp>
 #include <airlight/table_storage.hpp>
 
+#include <airlight/gathering.hpp>
+#include <airlight/ray_legs.hpp>
+
 #include <airlight/diffuse_light.hpp>
 #include <airlight/diffuse_table.hpp>
 #include <airlight/gathered_light.hpp>

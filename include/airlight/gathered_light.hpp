@@ -1,6 +1,7 @@
 #pragma once
 
 #include <airlight/constants.hpp>
+#include <airlight/gathering.hpp>
 #include <airlight/multiple_scattering.hpp>
 #include <airlight/sky_irradiance.hpp>
 
@@ -13,14 +14,6 @@ struct GatheredLight {
     SkyIrradiance<T> irradiance;  ///< [1] as surfaces receive it
 };
 
-/// Hook: irradiance of the ground by the sky where the cosine between the sun and the vertical is `mu_s`.
-struct DarkSky {
-    template <typename T>
-    vec3<T> operator()([[maybe_unused]] T mu_s) const {
-        return vec3<T>(T(0), T(0), T(0));
-    }
-};
-
 /// Light that arrives at a point from one direction: of the first order, scattered once or straight off the
 /// sunlit ground, or of the next, from the hooks' order before.
 ///
@@ -31,7 +24,7 @@ struct DarkSky {
 /// Errors:   none.
 /// Source:   the two of them; the ground reflects as Lambert's law says.
 template <typename T, typename Scene = DefaultScene, typename MultipleScattering = NoDiffuseLight,
-          typename GroundIrradiance = DarkSky, typename Visibility = AlwaysLit>
+          typename GroundIrradiance = NoIrradiance, typename Visibility = AlwaysLit>
 vec3<T> incoming_light(const Atmosphere<T>& atmosphere, T altitude, const vec3<T>& direction,
                        const vec3<T>& to_sun, bool first_order,
                        const MultipleScattering& multiple_scattering = MultipleScattering{},
@@ -54,7 +47,7 @@ vec3<T> incoming_light(const Atmosphere<T>& atmosphere, T altitude, const vec3<T
         const T mu_s = glm::clamp(sun_height / atmosphere.ground_radius, T(-1), T(1));
         vec3<T> irradiance = vec3<T>(T(0), T(0), T(0));
         if (first_order) {
-            irradiance = glm::max(mu_s, T(0)) * transmittance_to_space<T, Scene>(atmosphere, T(0), mu_s);
+            irradiance = direct_irradiance<T, Scene>(atmosphere, T(0), mu_s);
         } else {
             irradiance = ground_irradiance(mu_s);
         }
@@ -63,13 +56,6 @@ vec3<T> incoming_light(const Atmosphere<T>& atmosphere, T altitude, const vec3<T
     }
     return radiance;
 }
-
-/// Cosines of the azimuths that gathered_light looks at, those before 90 degrees [1].
-template <typename T>
-inline constexpr T gathered_azimuths[8] = {T(0.99518472667219688624L), T(0.95694033573220886494L),
-                                           T(0.88192126434835502971L), T(0.77301045336273696081L),
-                                           T(0.63439328416364549822L), T(0.47139673682599764856L),
-                                           T(0.29028467725446236764L), T(0.098017140329560601994L)};
 
 /// One texel of one order of the diffuse table: light from 16 azimuths on each side of the sun's, at
 /// Scene::nodes heights above and as many below the horizon.
@@ -83,7 +69,7 @@ inline constexpr T gathered_azimuths[8] = {T(0.99518472667219688624L), T(0.95694
 /// Errors:   a sun within 1.7 degrees of the zenith or nadir counts as that far from it.
 /// Source:   the moments' definition, by Gauss's rule in the root of the cosine's distance from the horizon.
 template <typename T, typename Scene = DefaultScene, typename MultipleScattering = NoDiffuseLight,
-          typename GroundIrradiance = DarkSky, typename Visibility = AlwaysLit>
+          typename GroundIrradiance = NoIrradiance, typename Visibility = AlwaysLit>
 GatheredLight<T> gathered_light(const Atmosphere<T>& atmosphere, T altitude, T mu_s, bool first_order,
                                 const MultipleScattering& multiple_scattering = MultipleScattering{},
                                 const GroundIrradiance& ground_irradiance = GroundIrradiance{},
@@ -95,20 +81,22 @@ GatheredLight<T> gathered_light(const Atmosphere<T>& atmosphere, T altitude, T m
     const T sun_cosine = glm::clamp(mu_s, T(-0.99955L), T(0.99955L));
     const T sun_sine = glm::sqrt((T(1) - sun_cosine) * (T(1) + sun_cosine));
     const vec3<T> to_sun = vec3<T>(sun_sine, T(0), sun_cosine);
-    const T horizon =
-        -glm::sqrt(above * (T(2) * atmosphere.ground_radius + above)) / (atmosphere.ground_radius + above);
     const T strength = T(4) * pi<T>;
+    const T g = atmosphere.mie_g;
+    T up = T(0);
+    T down = T(0);
+    T sunward = T(0);
+    T away = T(0);
+    T aside = T(0);
     for (int side = 0; side < 2; ++side) {
-        const T width = side == 0 ? T(1) - horizon : -T(1) - horizon;
-        for (int j = 0; j < Scene::nodes; ++j) {
-            const T v = gauss_position<T, Scene>(j);
-            const T z = horizon + width * v * v;
-            const T sine = safe_sqrt((T(1) - z) * (T(1) + z));
-            const T share = gauss_weight<T, Scene>(j) * v * glm::abs(width) * T(0.0625L);
-            for (int k = 0; k < 16; ++k) {
-                const T cosine = k < 8 ? gathered_azimuths<T>[k] : -gathered_azimuths<T>[15 - k];
-                const T x = sine * cosine;
-                const T y = sine * glm::sqrt((T(1) - cosine) * (T(1) + cosine));
+        for (int polar = 0; polar < Scene::nodes; ++polar) {
+            for (int azimuth = 0; azimuth < 16; ++azimuth) {
+                const SphereDirection<T> from =
+                    sphere_direction<T, Scene>(atmosphere.ground_radius, above, side, polar, azimuth);
+                const T x = from.sine * from.cos_azimuth;
+                const T y = from.sine * from.sin_azimuth;
+                const T z = from.mu;
+                const T share = T(2) * from.solid_angle / strength;
                 const vec3<T> arriving =
                     share * incoming_light<T, Scene>(atmosphere, above, vec3<T>(x, y, z), to_sun, first_order,
                                                      multiple_scattering, ground_irradiance, visibility);
@@ -120,18 +108,31 @@ GatheredLight<T> gathered_light(const Atmosphere<T>& atmosphere, T altitude, T m
                 irradiance.up += (strength * glm::max(-z, T(0))) * arriving;
                 irradiance.sunward += (strength * x / sun_sine) * arriving;
                 if constexpr (Scene::mie) {
-                    const T g = atmosphere.mie_g;
-                    light.aerosol_up += (strength * mie_phase<T, Scene>(z, g)) * arriving;
-                    light.aerosol_down += (strength * mie_phase<T, Scene>(-z, g)) * arriving;
-                    light.aerosol_sunward += (strength * mie_phase<T, Scene>(x, g)) * arriving;
-                    light.aerosol_away += (strength * mie_phase<T, Scene>(-x, g)) * arriving;
-                    light.aerosol_aside +=
-                        (T(0.5) * strength * (mie_phase<T, Scene>(y, g) + mie_phase<T, Scene>(-y, g))) *
-                        arriving;
+                    const T to_up = mie_phase<T, Scene>(z, g);
+                    const T to_down = mie_phase<T, Scene>(-z, g);
+                    const T to_sunward = mie_phase<T, Scene>(x, g);
+                    const T to_away = mie_phase<T, Scene>(-x, g);
+                    const T to_aside = mie_phase<T, Scene>(y, g) + mie_phase<T, Scene>(-y, g);
+                    light.aerosol_up += to_up * arriving;
+                    light.aerosol_down += to_down * arriving;
+                    light.aerosol_sunward += to_sunward * arriving;
+                    light.aerosol_away += to_away * arriving;
+                    light.aerosol_aside += to_aside * arriving;
+                    up += to_up * share;
+                    down += to_down * share;
+                    sunward += to_sunward * share;
+                    away += to_away * share;
+                    aside += to_aside * share;
                 }
             }
         }
     }
+    // Few directions do not find all of a narrow lobe: what they find of it counts as the whole.
+    light.aerosol_up /= glm::max(up, smallest_share<T>);
+    light.aerosol_down /= glm::max(down, smallest_share<T>);
+    light.aerosol_sunward /= glm::max(sunward, smallest_share<T>);
+    light.aerosol_away /= glm::max(away, smallest_share<T>);
+    light.aerosol_aside /= glm::max(aside, smallest_share<T>);
     return GatheredLight<T>{light, irradiance};
 }
 

@@ -1,44 +1,47 @@
 #pragma once
 
 #include <airlight/diffuse_light.hpp>
-#include <airlight/single_scattering.hpp>
+#include <airlight/ray_legs.hpp>
 
 namespace airlight {
 
-/// Light from all sides that one node of a ray scatters towards the eye, dimmed on its way there.
+/// The optical depth from which on a node is not seen [1].
+template <typename T>
+inline constexpr T unseen_depth = T(40);
+
+/// The share of light that is left after its way from one node of a view ray to the eye; never less than
+/// exp(-unseen_depth), so that nodes of which the eye sees none still weigh as much as each other.
 ///
-/// Units:    those of node_radiance; result [1/(L sr)] per unit of solar irradiance above the air.
-/// Domain:   that of node_radiance; light is that at the node.
+/// Units:    altitude and along [L] of the node, along never negative; result [1].
+/// Shape:    the result is a spectrum.
+/// Domain:   that of node_transmittance.
 /// Accuracy: that of the columns.
 /// Errors:   none; ignores the ground.
-/// Source:   Beer's law, scattered_diffuse_light.
+/// Source:   Beer's law.
 template <typename T, typename Scene = DefaultScene>
-inline vec3<T> node_diffuse_radiance(const Atmosphere<T>& atmosphere, const LitRay<T>& ray,
-                                     const DiffuseLight<T>& light, const Column<T>& offset, T outwards,
-                                     T altitude, T along, T mu_s, const Density<T>& density) {
+inline vec3<T> node_transmittance_to_eye(const Atmosphere<T>& atmosphere, const LitRay<T>& ray,
+                                         const Column<T>& offset, T outwards, T altitude, T along,
+                                         const Density<T>& density) {
     const T radius = atmosphere.ground_radius + altitude;
     const LinePoint<T> on_ray =
         line_point(altitude, radius, T(1) / radius, along, ray.air.perigee_radius, ray.air.perigee_altitude);
     const Column<T> beyond = column_outwards<T, Scene>(ray.layers, on_ray, ray.shells, density);
     const vec3<T> depth = column_optical_depth<T, Scene>(atmosphere, column_sum(offset, -outwards, beyond));
-    vec3<T> mie = vec3<T>(T(0), T(0), T(0));
-    if constexpr (Scene::mie) {
-        mie = atmosphere.mie_scattering * density.mie;
-    }
-    const T mu = glm::clamp(outwards * along / radius, T(-1), T(1));
-    const vec3<T> source = scattered_diffuse_light(light, atmosphere.rayleigh_scattering * density.rayleigh,
-                                                   mie, mu, ray.sun.cos_theta, mu_s);
-    return source * glm::exp(-glm::max(depth, vec3<T>(T(0), T(0), T(0))));
+    const T unseen = unseen_depth<T>;
+    return glm::exp(-glm::clamp(depth, vec3<T>(T(0), T(0), T(0)), vec3<T>(unseen, unseen, unseen)));
 }
 
 /// Light that had already been scattered, or reflected by the ground, and is scattered into a view ray.
 ///
-/// Scene::nodes samples on each side of the ray's closest approach to the centre, lit by the sun or not.
+/// Scene::nodes samples on each side of the ray's closest approach to the centre, lit by the sun or not. They
+/// also add up what the ray loses, which is known: what they found too much or too little is put right.
 ///
 /// Units:    those of single_scattering; result [1/sr] per unit of solar irradiance above the air.
 /// Domain:   that of single_scattering.
-/// Accuracy: docs/multiple_scattering.md.
-/// Errors:   none; no air on the ray gives 0.
+/// Accuracy: docs/multiple_scattering.md; exact in even light, L (1 - T), where the air absorbs nothing.
+/// Errors:   none; no air on the ray gives 0. Where the eye sees none of the nodes, in air thousands of
+/// optical
+///           depths thick, their mean.
 /// Source:   the node method of single_scattering, docs/theory/nodes.md.
 template <typename T, typename Scene = DefaultScene, typename MultipleScattering = NoDiffuseLight>
 vec3<T> diffuse_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, const vec3<T>& direction,
@@ -50,53 +53,43 @@ vec3<T> diffuse_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<T>& 
         return radiance;
     }
     const LitRay<T> ray = lit_ray<T, Scene>(atmosphere, air, eye, direction, to_sun);
-    const NodeFit<T> fit = node_fit<T, Scene>();
-    const bool falls = air.along < T(0);
-    const bool climbs = air.along + air.extent > T(0);
-    RayPoint<T> here = ray_point<T, Scene>(atmosphere, ray, T(0));
-    Column<T> offset = column_sum(Column<T>{T(0), T(0), T(0)}, T(-1), here.outwards);
-    T outwards = T(-1);
+    const RayLegs<T> legs = ray_legs<T, Scene>(atmosphere, ray);
+    vec3<T> found = vec3<T>(T(0), T(0), T(0));  // what the ray loses, by the nodes
+    vec3<T> swept = vec3<T>(T(0), T(0), T(0));  // its optical depth, likewise
     for (int leg = 0; leg < 2; ++leg) {
-        if (leg == 0 ? falls : climbs) {
-            const T begin = leg == 1 && falls ? -air.along : T(0);
-            const T end = leg == 0 && climbs ? -air.along : air.extent;
-            if (leg == 1) {
-                if (falls) {
-                    here = ray_point<T, Scene>(atmosphere, ray, begin);
-                }
-                offset = column_sum(offset, T(2), here.outwards);
-                outwards = T(1);
-            }
-            RayPoint<T> low = here;
-            here = ray_point<T, Scene>(atmosphere, ray, end);
-            RayPoint<T> high = here;
-            if (leg == 0) {
-                high = low;
-                low = here;
-            }
-            const T low_along = glm::abs(air.along + (leg == 0 ? end : begin));
-            const T low_radius = atmosphere.ground_radius + low.altitude;
-            const T high_radius = atmosphere.ground_radius + high.altitude;
-            const T extent = glm::max(end - begin, T(0));
-            const T rise = extent * (T(2) * low_along + extent) / (low_radius + high_radius);
-            const T height = glm::max(ray.layers.rayleigh_height, T(1e-6L) * rise);
-            const T depth =
-                guiding_depth<T, Scene>(atmosphere, column_sum(low.outwards, T(-1), high.outwards));
-            const NodeMap<T> map =
-                node_map(fit, low_radius, low_along, high_radius, rise, height, -outwards * fit.view * depth);
+        const bool climbs = leg == 1;
+        if (climbs ? air.along + air.extent > T(0) : air.along < T(0)) {
+            const T outwards = climbs ? T(1) : T(-1);
+            const Column<T> offset = leg_offset(legs, climbs);
+            const NodeMap<T> map = leg_map<T, Scene>(atmosphere, ray, legs, climbs);
             for (int j = 0; j < Scene::nodes; ++j) {
                 const Node<T> node = node_at(map, gauss_position<T, Scene>(j));
-                const T altitude = low.altitude + node.rise;
+                const T altitude = legs.turned.altitude + node.rise;
+                const T radius = atmosphere.ground_radius + altitude;
+                const T mu = glm::clamp(outwards * node.along / radius, T(-1), T(1));
                 const T sun_height = ray.sun.perigee_height + outwards * node.along * ray.sun.cos_theta;
-                const T mu_s = glm::clamp(sun_height / (atmosphere.ground_radius + altitude), T(-1), T(1));
-                radiance += gauss_weight<T, Scene>(j) * node.stretch *
-                            node_diffuse_radiance<T, Scene>(
-                                atmosphere, ray, multiple_scattering(altitude, mu_s), offset, outwards,
-                                altitude, node.along, mu_s, layer_density<T, Scene>(ray.layers, altitude));
+                const T mu_s = glm::clamp(sun_height / radius, T(-1), T(1));
+                const Density<T> density = relative_density<T, Scene>(atmosphere, altitude);
+                vec3<T> mie = vec3<T>(T(0), T(0), T(0));
+                if constexpr (Scene::mie) {
+                    mie = atmosphere.mie_scattering * density.mie;
+                }
+                const vec3<T> source = scattered_diffuse_light(
+                    multiple_scattering(altitude, mu_s), atmosphere.rayleigh_scattering * density.rayleigh,
+                    mie, mu, ray.sun.cos_theta, mu_s);
+                const T share = gauss_weight<T, Scene>(j) * node.stretch;
+                const vec3<T> seen =
+                    share * node_transmittance_to_eye<T, Scene>(atmosphere, ray, offset, outwards, altitude,
+                                                                node.along, density);
+                const vec3<T> extinction = column_optical_depth<T, Scene>(
+                    atmosphere, Column<T>{density.rayleigh, density.mie, density.ozone});
+                radiance += source * seen;
+                found += extinction * seen;
+                swept += extinction * share;
             }
         }
     }
-    return radiance;
+    return radiance * loss_ratios(found, swept, depth_of_legs<T, Scene>(atmosphere, legs));
 }
 
 /// Sunlight scattered into a view ray, however often.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <airlight/gathered_light.hpp>
-#include <airlight/single_scattering.hpp>
+#include <airlight/gathering.hpp>
+#include <airlight/ray_legs.hpp>
 #include <airlight/table_mapping.hpp>
 
 namespace airlight {
@@ -28,40 +28,11 @@ struct PhaseWeighted {
     vec3<T> mie;       ///< [1/sr] that aerosol turns into it
 };
 
-/// The two legs of a ray, down to its closest approach to the centre and up from there.
-template <typename T>
-struct RayLegs {
-    T turn;              ///< [L] from the start to where the legs meet
-    RayPoint<T> start;   ///< where the ray starts
-    RayPoint<T> turned;  ///< its closest approach, or the end that is nearest to it
-    RayPoint<T> last;    ///< where it ends
-};
-
-/// A direction of the rule by which light is gathered from the whole sphere. The sun stands at azimuth 0; the
-/// direction counts twice, left and right of it.
-template <typename T>
-struct SphereDirection {
-    T mu;           ///< [1] cosine to the vertical
-    T sine;         ///< [1] of the same angle
-    T cos_azimuth;  ///< [1] of the angle from the sun's azimuth
-    T sin_azimuth;  ///< [1] of the same angle, positive
-    T solid_angle;  ///< [sr] that one of the two stands for
-};
-
 /// Hook: what a table holds for a ray; the function that calls it says of what.
 struct NothingAlongRay {
     template <typename T>
     vec3<T> operator()([[maybe_unused]] T altitude, [[maybe_unused]] T mu, [[maybe_unused]] T mu_s,
                        [[maybe_unused]] T nu, [[maybe_unused]] bool reaches_ground) const {
-        return vec3<T>(T(0), T(0), T(0));
-    }
-};
-
-/// Hook: irradiance [1] of level ground under a sun at cosine `mu_s`, by the light that the next order is
-/// made from.
-struct NoIrradiance {
-    template <typename T>
-    vec3<T> operator()([[maybe_unused]] T mu_s) const {
         return vec3<T>(T(0), T(0), T(0));
     }
 };
@@ -157,49 +128,6 @@ vec3<T> energy_share(const vec3<T>& found, const vec3<T>& depth) {
                    share_found(found.z, one_minus_exp(depth.z)));
 }
 
-/// The legs of a ray.
-///
-/// Units:    lengths in the atmosphere's unit [L].
-/// Domain:   a ray in the air.
-/// Accuracy: that of ray_point.
-/// Errors:   none; a leg that the ray does not have is empty.
-/// Source:   ray_point.
-template <typename T, typename Scene = DefaultScene>
-RayLegs<T> ray_legs(const Atmosphere<T>& atmosphere, const LitRay<T>& ray) {
-    const T turn = glm::clamp(-ray.air.along, T(0), ray.air.extent);
-    return RayLegs<T>{turn, ray_point<T, Scene>(atmosphere, ray, T(0)),
-                      ray_point<T, Scene>(atmosphere, ray, turn),
-                      ray_point<T, Scene>(atmosphere, ray, ray.air.extent)};
-}
-
-/// What the air between a ray's start and a point of a leg is counted from: it is this less the point's air
-/// outwards where the leg climbs, and plus it where the leg falls.
-///
-/// Units:    result [L].
-/// Domain:   legs of ray_legs.
-/// Accuracy: 3 roundoffs of the largest column.
-/// Errors:   none.
-/// Source:   column_outwards.
-template <typename T>
-Column<T> leg_offset(const RayLegs<T>& legs, bool climbs) {
-    const Column<T> down = column_sum(Column<T>{T(0), T(0), T(0)}, T(-1), legs.start.outwards);
-    return column_sum(down, climbs ? T(2) : T(0), legs.turned.outwards);
-}
-
-/// The optical depth of a whole ray.
-///
-/// Units:    result [1].
-/// Shape:    the result is a spectrum.
-/// Domain:   legs of ray_legs.
-/// Accuracy: that of column_outwards.
-/// Errors:   none; rounding below 0 counts as 0.
-/// Source:   leg_offset.
-template <typename T, typename Scene = DefaultScene>
-vec3<T> depth_of_legs(const Atmosphere<T>& atmosphere, const RayLegs<T>& legs) {
-    const Column<T> passed = column_sum(leg_offset(legs, true), T(-1), legs.last.outwards);
-    return glm::max(column_optical_depth<T, Scene>(atmosphere, passed), vec3<T>(T(0), T(0), T(0)));
-}
-
 /// Light scattered once into a ray, molecules and aerosol apart: the first order of every table.
 ///
 ///     rayleigh = sigma_R integral of rho_R T(eye, x) T(x, sun) over the lit part of the ray, mie likewise
@@ -274,30 +202,6 @@ InScatter<T> single_inscatter(const Atmosphere<T>& atmosphere, T altitude, T mu,
     mie *= atmosphere.mie_scattering;
     const vec3<T> scale = energy_share(rayleigh + mie, depth_of_legs<T, Scene>(atmosphere, legs));
     return InScatter<T>{rayleigh * scale, mie * scale};
-}
-
-/// A direction of the rule by which light is gathered: Scene::nodes polar angles above the horizon and as
-/// many below it, close to the horizon where the light changes most, and 32 azimuths.
-///
-///     mu = horizon +- (1 -+ horizon) u^2,   u of Gauss and Legendre
-///
-/// Units:    lengths in one unit [L].
-/// Domain:   altitude >= 0; side 0 for the sky, 1 for the ground; polar from 0 to Scene::nodes - 1, from the
-///           horizon on; azimuth from 0 to 15.
-/// Accuracy: 4 ulp; all solid angles together 4 pi.
-/// Errors:   none in the domain.
-/// Source:   Gauss-Legendre quadrature after a change of variable; equal steps on a circle.
-template <typename T, typename Scene = DefaultScene>
-SphereDirection<T> sphere_direction(T ground_radius, T altitude, int side, int polar, int azimuth) {
-    const T horizon = glm::max(horizon_cosine(ground_radius, altitude), T(-1));
-    const T u = gauss_position<T, Scene>(polar);
-    const T reach = side == 0 ? T(1) - horizon : T(1) + horizon;
-    const T mu = side == 0 ? horizon + reach * (u * u) : horizon - reach * (u * u);
-    const T sine = safe_sqrt((T(1) - mu) * (T(1) + mu));
-    const T cosine = azimuth < 8 ? gathered_azimuths<T>[azimuth] : -gathered_azimuths<T>[15 - azimuth];
-    const T across = azimuth < 8 ? gathered_azimuths<T>[7 - azimuth] : gathered_azimuths<T>[azimuth - 8];
-    const T solid_angle = gauss_weight<T, Scene>(polar) * u * reach * (pi<T> * T(0.125));
-    return SphereDirection<T>{mu, sine, cosine, across, solid_angle};
 }
 
 /// Light from one direction of sphere_direction, of one order: through the air, and off the ground.
@@ -455,31 +359,15 @@ vec3<T> next_order_radiance(const Atmosphere<T>& atmosphere, T altitude, T mu, T
         return nothing;
     }
     const LitRay<T> ray = table_lit_ray<T, Scene>(atmosphere, air, mu, mu_s, nu);
-    const NodeFit<T> fit = node_fit<T, Scene>();
     const RayLegs<T> legs = ray_legs<T, Scene>(atmosphere, ray);
-    const T low_radius = atmosphere.ground_radius + legs.turned.altitude;
-    const T low_along = glm::abs(air.along + legs.turn);
     vec3<T> radiance = nothing;
     vec3<T> found = nothing;
     for (int leg = 0; leg < 2; ++leg) {
         const bool falls = leg == 0;
         if (falls ? air.along < T(0) : air.along + air.extent > T(0)) {
-            // The nodes of single scattering, drawn to the eye but not to the sun: this light comes from
-            // everywhere.
-            RayPoint<T> high = legs.last;
-            if (falls) {
-                high = legs.start;
-            }
             const T outwards = falls ? T(-1) : T(1);
             const Column<T> offset = leg_offset(legs, !falls);
-            const T length = falls ? legs.turn : air.extent - legs.turn;
-            const T high_radius = atmosphere.ground_radius + high.altitude;
-            const T rise = length * (T(2) * low_along + length) / (low_radius + high_radius);
-            const T height = glm::max(ray.layers.rayleigh_height, T(1e-6L) * rise);
-            const T view_depth =
-                guiding_depth<T, Scene>(atmosphere, column_sum(legs.turned.outwards, T(-1), high.outwards));
-            const NodeMap<T> map = node_map(fit, low_radius, low_along, high_radius, rise, height,
-                                            -outwards * fit.view * view_depth);
+            const NodeMap<T> map = leg_map<T, Scene>(atmosphere, ray, legs, !falls);
             for (int j = 0; j < Scene::nodes; ++j) {
                 const Node<T> node = node_at(map, gauss_position<T, Scene>(j));
                 const T t = legs.turn + outwards * node.way;
@@ -508,19 +396,6 @@ vec3<T> next_order_radiance(const Atmosphere<T>& atmosphere, T altitude, T mu, T
                                    missed_light(found.y, lost.y, source.y, taken.y),
                                    missed_light(found.z, lost.z, source.z, taken.z));
     return radiance * energy_share(found, total) + missed;
-}
-
-/// Irradiance of level ground, or of a level surface over it, straight from the sun.
-///
-/// Units:    altitude [L]; mu_s [1]; result [1].
-/// Shape:    the result is a spectrum.
-/// Domain:   that of transmittance_to_space.
-/// Accuracy: that of transmittance_to_space.
-/// Errors:   none; a sun below the horizontal gives 0.
-/// Source:   Lambert's cosine law.
-template <typename T, typename Scene = DefaultScene>
-vec3<T> direct_irradiance(const Atmosphere<T>& atmosphere, T altitude, T mu_s) {
-    return glm::max(mu_s, T(0)) * transmittance_to_space<T, Scene>(atmosphere, altitude, mu_s);
 }
 
 /// Irradiance of a level surface by the light of one order, from the upper half of the sphere.

@@ -51,7 +51,7 @@ struct TestHooks {
 struct DefaultHooks {
     using Visibility = airlight::AlwaysLit;
     using MultipleScattering = airlight::NoDiffuseLight;
-    using GroundIrradiance = airlight::DarkSky;
+    using GroundIrradiance = airlight::NoIrradiance;
 };
 
 /// What a row's call may ask about the run it is part of: Run::T, Run::Scene, and the hooks.

@@ -11,8 +11,8 @@ static const char* const grazing =
     "where "
     "rounding decides how long the ray or its shadow is";
 
-static const bool node_diffuse_radiance_row =
-    row("node_diffuse_radiance")
+static const bool node_transmittance_to_eye_row =
+    row("node_transmittance_to_eye")
         .inputs([](Draw& draw) {
             const auto [atmosphere, ray, t] = point_of_ray(draw);
             const auto point = airlight::ray_point(atmosphere, ray, t);
@@ -20,15 +20,15 @@ static const bool node_diffuse_radiance_row =
             const float outwards = ray.air.along + t < 0.0F ? -1.0F : 1.0F;
             const auto offset =
                 airlight::column_sum(airlight::Column<float>{0.0F, 0.0F, 0.0F}, outwards, start.outwards);
-            return std::make_tuple(atmosphere, ray, draw.diffuse_light(), offset, outwards, point.altitude,
-                                   glm::abs(ray.air.along + t), draw.cosine(), point.density);
+            return std::make_tuple(atmosphere, ray, offset, outwards, point.altitude,
+                                   glm::abs(ray.air.along + t), point.density);
         })
         .left_out(0.6, 0.35, grazing)
-        .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& light, const auto& offset,
-                auto outwards, auto altitude, auto along, auto mu_s, const auto& density) {
+        .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& offset, auto outwards,
+                auto altitude, auto along, const auto& density) {
             using R = decltype(run);
-            return airlight::node_diffuse_radiance<typename R::T, typename R::Scene>(
-                atmosphere, ray, light, offset, outwards, altitude, along, mu_s, density);
+            return airlight::node_transmittance_to_eye<typename R::T, typename R::Scene>(
+                atmosphere, ray, offset, outwards, altitude, along, density);
         })
         .within_bound();
 

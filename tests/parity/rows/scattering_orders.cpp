@@ -59,46 +59,6 @@ static const bool energy_share_row =
         .cpu([](const auto& found, const auto& depth) { return airlight::energy_share(found, depth); })
         .within_bound();
 
-static const bool ray_legs_row =
-    row("ray_legs")
-        .inputs([](Draw& draw) {
-            const auto inputs = ray_of_table(draw);
-            const auto ray =
-                std::apply([](const auto&... x) { return airlight::table_lit_ray<float>(x...); }, inputs);
-            return std::make_tuple(std::get<0>(inputs), ray);
-        })
-        .left_out(0.35, 0.1, table_rays_left_out)
-        .cpu([](auto run, const auto& atmosphere, const auto& ray) {
-            using R = decltype(run);
-            return airlight::ray_legs<typename R::T, typename R::Scene>(atmosphere, ray);
-        })
-        .within_bound();
-
-/// Atmosphere and legs.
-static auto legs(Draw& draw) {
-    const auto inputs = ray_of_table(draw);
-    const auto ray =
-        std::apply([](const auto&... x) { return airlight::table_lit_ray<float>(x...); }, inputs);
-    return std::make_tuple(std::get<0>(inputs), airlight::ray_legs<float>(std::get<0>(inputs), ray));
-}
-
-static const bool leg_offset_row =
-    row("leg_offset")
-        .inputs([](Draw& draw) {
-            return std::make_tuple(std::get<1>(legs(draw)), draw.one_of({0, 1}) == 1);
-        })
-        .cpu([](const auto& legs, bool climbs) { return airlight::leg_offset(legs, climbs); })
-        .within_bound();
-
-static const bool depth_of_legs_row =
-    row("depth_of_legs")
-        .inputs(legs)
-        .cpu([](auto run, const auto& atmosphere, const auto& legs) {
-            using R = decltype(run);
-            return airlight::depth_of_legs<typename R::T, typename R::Scene>(atmosphere, legs);
-        })
-        .within_bound();
-
 static const bool single_inscatter_row =
     row("single_inscatter")
         .inputs(table_ray)
@@ -121,19 +81,6 @@ static auto direction_of_rule(Draw& draw) {
     return std::make_tuple(atmosphere, glm::max(altitude, 0.0F), side, polar,
                            draw.one_of({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}));
 }
-
-static const bool sphere_direction_row =
-    row("sphere_direction")
-        .inputs([](Draw& draw) {
-            const auto [atmosphere, altitude, side, polar, azimuth] = direction_of_rule(draw);
-            return std::make_tuple(atmosphere.ground_radius, altitude, side, polar, azimuth);
-        })
-        .cpu([](auto run, auto ground_radius, auto altitude, int side, int polar, int azimuth) {
-            using R = decltype(run);
-            return airlight::sphere_direction<typename R::T, typename R::Scene>(ground_radius, altitude, side,
-                                                                                polar, azimuth);
-        })
-        .to_the_bit();
 
 static const bool incident_light_row =
     row("incident_light")
@@ -214,21 +161,6 @@ static const bool next_order_radiance_row =
             return airlight::next_order_radiance<typename R::T, typename R::Scene>(
                 atmosphere, altitude, mu, mu_s, nu, reaches_ground,
                 hook_of<NothingAlongRay, StandInTable>(run), hook_of<NothingAlongRay, StandInTable>(run));
-        })
-        .within_bound();
-
-static const bool direct_irradiance_row =
-    row("direct_irradiance")
-        .inputs([](Draw& draw) {
-            const auto atmosphere = draw.atmosphere();
-            const float altitude = draw.altitude(atmosphere);
-            return std::make_tuple(atmosphere, altitude,
-                                   draw.grazing_cosine(atmosphere.ground_radius, altitude));
-        })
-        .left_out(0.35, 0.1, table_rays_left_out)
-        .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu_s) {
-            using R = decltype(run);
-            return airlight::direct_irradiance<typename R::T, typename R::Scene>(atmosphere, altitude, mu_s);
         })
         .within_bound();
 
