@@ -1,12 +1,10 @@
 #include "picture.hpp"
 
-#include <atomic>
 #include <string>
 
 #include "support/files.hpp"
 #include "support/image.hpp"
-#include "support/parallel.hpp"
-#include "support/progress.hpp"
+#include "support/rows.hpp"
 
 namespace reference {
 namespace {
@@ -42,9 +40,8 @@ void write_picture(const support::Preset& preset, const View& eye, double sun_di
 
     const Air airs[3] = {
         {preset.air, preset.ozone, 0}, {preset.air, preset.ozone, 1}, {preset.air, preset.ozone, 2}};
-    support::ProgressBar progress("tracing " + path.filename().string());
-    std::atomic<std::size_t> done{0};
-    support::for_each_row(height, [&](int y) {
+    const support::Rows rows("tracing " + path.filename().string());
+    rows(height, [&](int y) {
         for (int x = 0; x < width; ++x) {
             View view = eye;
             view.elevation = 90 - (y + 0.5) * 180 / height;
@@ -62,7 +59,6 @@ void write_picture(const support::Preset& preset, const View& eye, double sun_di
                 }
             }
         }
-        progress(++done, static_cast<std::size_t>(height));
     });
     support::write_exr(path, image);
 }

@@ -1,11 +1,9 @@
 #include "table.hpp"
 
-#include <atomic>
 #include <sstream>
 
 #include "support/files.hpp"
-#include "support/parallel.hpp"
-#include "support/progress.hpp"
+#include "support/rows.hpp"
 
 namespace reference {
 
@@ -16,15 +14,13 @@ void write_table(const support::Preset& preset, double sun_diameter, const Effor
     }
     const std::vector<View> views = judged_views();
     std::vector<Radiance> radiances(3 * views.size());
-    support::ProgressBar progress("tracing " + preset.name);
-    std::atomic<std::size_t> done{0};
-    support::for_each_row(static_cast<int>(radiances.size()), [&](int job) {
+    const support::Rows jobs("tracing " + preset.name);
+    jobs(static_cast<int>(radiances.size()), [&](int job) {
         const auto i = static_cast<std::size_t>(job);
         const Air air(preset.air, preset.ozone, job % 3);
         Effort own = effort;
         own.seed = effort.seed + 1000003 * i;  // or all would be off the same way
         radiances[i] = traced(air, views[i / 3], sun_diameter, own);
-        progress(++done, radiances.size());
     });
 
     std::ostringstream out;
@@ -61,16 +57,14 @@ void write_irradiance_table(const support::Preset& preset, const Effort& effort,
     }
     const std::vector<double> suns = {60, 40, 20, 10, 5, 2, 0, -1.5, -3, -4.5, -6};
     std::vector<Estimate> irradiances(3 * suns.size());
-    support::ProgressBar progress("irradiance of " + preset.name);
-    std::atomic<std::size_t> done{0};
-    support::for_each_row(static_cast<int>(irradiances.size()), [&](int job) {
+    const support::Rows jobs("irradiance of " + preset.name);
+    jobs(static_cast<int>(irradiances.size()), [&](int job) {
         const auto i = static_cast<std::size_t>(job);
         Light light;
         light.to_sun = direction_at(suns[i / 3]);
         Effort own = effort;
         own.seed = effort.seed + 1000003 * i;
         irradiances[i] = sky_irradiance(Air(preset.air, preset.ozone, job % 3), light, own);
-        progress(++done, irradiances.size());
     });
 
     std::ostringstream out;

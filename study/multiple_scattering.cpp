@@ -20,7 +20,6 @@
 #include <utility>
 #include <vector>
 
-#include "bake_tables/rows.hpp"
 #include "error_metrics.hpp"
 #include "path_traced.hpp"
 #include "support/command_line.hpp"
@@ -28,6 +27,7 @@
 #include "support/files.hpp"
 #include "support/image.hpp"
 #include "support/parallel.hpp"
+#include "support/rows.hpp"
 
 namespace {
 
@@ -159,7 +159,7 @@ void add(std::vector<Result>& results, const std::string& name, const Shape& sha
     const auto begun = std::chrono::steady_clock::now();
     airlight::ScatteringTables<T> tables;
     {
-        const bake_tables::Rows rows(name + ", " + scalar);
+        const support::Rows rows(name + ", " + scalar);
         rows.expect_passes(airlight::passes_of_bake(settings.orders));
         tables = airlight::bake_scattering<Scene>(shape.atmosphere, shape, settings.orders, rows);
     }
@@ -258,7 +258,7 @@ template <typename T>
 void add_small_tables(std::vector<Result>& results, const Settings& settings,
                       const std::vector<PathTraced>& views) {
     using Air = airlight::Atmosphere<T>;
-    const bake_tables::Rows rows;
+    const support::Rows rows;
     add_light_from_all_sides<T>(
         results, "Hillaire, order 1 by 8 nodes", "32 x 32", every_order, 3 * 32 * 32,
         [&](const Air& air) {

@@ -64,11 +64,11 @@ std::vector<T> by_scene(const support::Preset& preset, const Bake& bake) {
 /// Gives a kind its bakes on the CPU: bake(scene, atmosphere, request, rows), for float and double.
 template <typename Bake>
 void bake_on_cpu(Kind& kind, const Bake& bake) {
-    kind.on_cpu = [bake](const Request& request, const Rows& rows) {
+    kind.on_cpu = [bake](const Request& request, const support::Rows& rows) {
         return by_scene<float>(request.preset,
                                [&](auto scene, const auto& air) { return bake(scene, air, request, rows); });
     };
-    kind.in_double = [bake](const Request& request, const Rows& rows) {
+    kind.in_double = [bake](const Request& request, const support::Rows& rows) {
         return by_scene<double>(request.preset,
                                 [&](auto scene, const auto& air) { return bake(scene, air, request, rows); });
     };
@@ -81,7 +81,8 @@ using scalar_of = decltype(Air::mie_g);
 /// The same for a table whose texels know nothing of each other: texel(scene, atmosphere, uvw, size).
 template <typename TexelAt>
 void bake_each_alone(Kind& kind, const TexelAt& texel) {
-    bake_on_cpu(kind, [texel](auto scene, const auto& air, const Request& request, const Rows& rows) {
+    bake_on_cpu(kind, [texel](auto scene, const auto& air, const Request& request,
+                              const support::Rows& rows) {
         using T = scalar_of<std::decay_t<decltype(air)>>;
         using Texel = decltype(texel(scene, air, airlight::vec3<T>(), request.size));
         auto table = airlight::make_table<Texel>(request.size.width, request.size.height, request.size.depth);

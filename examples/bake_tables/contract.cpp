@@ -139,7 +139,7 @@ std::string error_table(const Kind& kind, const support::Preset& preset) {
     std::string page = std::string("| texels | ") + storages;
     for (const support::TableSize& size : sizes_around(kind)) {
         const Request request{preset, size, 1};  // orders are not compared beyond the first
-        const Numbers numbers = kind.on_cpu(request, Rows(kind.name + " " + size_text(size)));
+        const Numbers numbers = kind.on_cpu(request, support::Rows(kind.name + " " + size_text(size)));
         page += "| " + size_text(size) + " |" + error_columns(kind, request, numbers, {read_places}) + "\n";
     }
     return page;
@@ -148,7 +148,7 @@ std::string error_table(const Kind& kind, const support::Preset& preset) {
 /// Sun by sun: where halves lose the light.
 std::string twilight_table(const Kind& kind, const support::Preset& preset) {
     const Request request{preset, kind.size, 1};
-    const Numbers numbers = kind.on_cpu(request, Rows(kind.name + " in twilight"));
+    const Numbers numbers = kind.on_cpu(request, support::Rows(kind.name + " in twilight"));
     std::string page = std::string("| sun | ") + storages;
     for (const double elevation : {30.0, 0.0, -3.0, -6.0, -9.0, -12.0}) {
         page += "| " + text("%g", elevation) + " degrees |" +
@@ -235,9 +235,9 @@ void write_contract(const std::filesystem::path& path, const std::string& render
             continue;
         }
         const Request request{preset, kind.size, orders};
-        const double cpu = fastest([&] { kind.on_cpu(request, Rows(kind.name + " on the CPU")); });
+        const double cpu = fastest([&] { kind.on_cpu(request, support::Rows(kind.name + " on the CPU")); });
         const double gpu = fastest([&] {
-            GpuBaker baker(preset, Rows(kind.name + " by OpenGL"));
+            GpuBaker baker(preset, support::Rows(kind.name + " by OpenGL"));
             kind.on_gpu(request, baker);
         });
         page += section(kind, preset, cpu, gpu);

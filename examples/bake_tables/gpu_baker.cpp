@@ -28,7 +28,7 @@ airlight::Atmosphere<float> in_float(const airlight::Atmosphere<double>& a) {
 
 }  // namespace
 
-GpuBaker::GpuBaker(const support::Preset& preset, const Rows& rows) : preset_(preset), rows_(rows) {}
+GpuBaker::GpuBaker(const support::Preset& preset, const support::Rows& rows) : preset_(preset), rows_(rows) {}
 
 GpuTable GpuBaker::make_table(const support::TableSize& size, support::TableShape shape) const {
     GpuTable table{support::create_table_texture(GL_RGBA32F, size, shape), size, shape};

@@ -10,10 +10,10 @@
 #include <variant>
 #include <vector>
 
-#include "rows.hpp"
 #include "support/gl_objects.hpp"
 #include "support/gl_table.hpp"
 #include "support/presets.hpp"
+#include "support/rows.hpp"
 
 namespace bake_tables {
 
@@ -39,7 +39,7 @@ struct Setting {
 /// Needs a current context of OpenGL 4.3.
 class GpuBaker {
   public:
-    explicit GpuBaker(const support::Preset& preset, const Rows& rows = Rows{});
+    explicit GpuBaker(const support::Preset& preset, const support::Rows& rows = support::Rows{});
 
     GpuTable make_table(const support::TableSize& size,
                         support::TableShape shape = support::TableShape::volume) const;
@@ -67,7 +67,7 @@ class GpuBaker {
     GLuint program(const std::string& shader, const std::string& defines);
 
     support::Preset preset_;
-    Rows rows_;
+    support::Rows rows_;
     std::map<std::string, support::Program> programs_;
 };
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "gpu_baker.hpp"
-#include "rows.hpp"
 #include "support/gl_table.hpp"
 #include "support/presets.hpp"
+#include "support/rows.hpp"
 #include "support/table_file.hpp"
 
 namespace bake_tables {
@@ -61,8 +61,8 @@ struct Kind {
         return true;
     };
 
-    std::function<Numbers(const Request&, const Rows&)> on_cpu = {};
-    std::function<std::vector<double>(const Request&, const Rows&)> in_double = {};
+    std::function<Numbers(const Request&, const support::Rows&)> on_cpu = {};
+    std::function<std::vector<double>(const Request&, const support::Rows&)> in_double = {};
     std::function<Numbers(const Request&, GpuBaker&)> on_gpu = {};
 
     /// Reads the table as a scene would, see places.hpp.

@@ -57,7 +57,7 @@ Kind diffuse() {
     kind.takes_size = [](const support::TableSize& size) {
         return size.width >= 2 && size.height >= 2 && size.depth == layers;
     };
-    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const Rows& rows) {
+    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         using T = scalar_of<std::decay_t<decltype(air)>>;
         rows.expect_passes(request.orders);
         return flat(airlight::bake_diffuse_table<T, decltype(scene)>(

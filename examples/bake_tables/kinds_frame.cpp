@@ -51,7 +51,7 @@ Kind sky_view() {
     kind.small_size = {17, 10, 1};
     kind.size_rule = "give an even height: half of the rows look at the ground";
     kind.takes_size = even_height;
-    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const Rows& rows) {
+    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         using T = scalar_of<std::decay_t<decltype(air)>>;
         return flat(airlight::bake_sky_view<T, decltype(scene)>(
             air, T(request.eye_altitude), T(sun_cosine(request)), request.size.width, request.size.height,
@@ -92,7 +92,7 @@ Kind froxels() {
               "1/sr per unit of solar irradiance above the air, and 1",
               {"radiance.R", "radiance.G", "radiance.B", "depth.R", "depth.G", "depth.B"}};
     kind.of_frame = true;
-    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const Rows& rows) {
+    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         using T = scalar_of<std::decay_t<decltype(air)>>;
         const airlight::FroxelSize size{request.size.width, request.size.height, request.size.depth};
         const airlight::Froxels<T> made = airlight::bake_froxels<T, decltype(scene)>(

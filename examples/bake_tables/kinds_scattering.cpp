@@ -159,7 +159,7 @@ Kind inscatter3d() {
     kind.small_size = {5, 8, 6};
     kind.size_rule = "give an even height: half of the rows look at the ground";
     kind.takes_size = even_height;
-    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const Rows& rows) {
+    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         rows.expect_passes(airlight::passes_of_bake(request.orders));
         const auto tables = airlight::bake_scattering<decltype(scene)>(
             air, inscatter_shape(air, request.size), request.orders, rows);
@@ -202,7 +202,7 @@ Kind bruneton() {
     kind.takes_size = [](const support::TableSize& size) {
         return even_height(size) && size.width % nus == 0;
     };
-    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const Rows& rows) {
+    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         rows.expect_passes(airlight::passes_of_bake(request.orders));
         const auto tables = airlight::bake_scattering<decltype(scene)>(air, bruneton_shape(air, request.size),
                                                                        request.orders, rows);
@@ -245,7 +245,7 @@ Kind irradiance() {
     kind.size_rule = "it has 64x16 texels";
     kind.takes_size = [](const support::TableSize& size) { return size.width == 64 && size.height == 16; };
     kind.small_size = {64, 16, 1};
-    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const Rows& rows) {
+    bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         rows.expect_passes(airlight::passes_of_bake(request.orders));
         const auto tables = airlight::bake_scattering<decltype(scene)>(
             air, inscatter_shape(air, {16, 64, 32}), request.orders, rows);

@@ -79,7 +79,7 @@ void bake(const Kind& kind, const Options& options, bool on_gpu) {
     support::StoredTable table{describe(kind, request), {}};
     const auto begun = std::chrono::steady_clock::now();
     {
-        const Rows rows(kind.name);
+        const support::Rows rows(kind.name);
         if (on_gpu) {
             GpuBaker gpu(request.preset, rows);
             table.texels = kind.on_gpu(request, gpu);

@@ -2,12 +2,10 @@
 
 #include <epoxy/gl.h>
 
-#include <atomic>
 #include <cstddef>
 
 #include "support/gl_table.hpp"
-#include "support/parallel.hpp"
-#include "support/progress.hpp"
+#include "support/rows.hpp"
 
 namespace deferred {
 namespace {
@@ -19,49 +17,29 @@ constexpr int diffuse_orders = 5;
 constexpr int hillaire_size = 32;
 constexpr int scattering_orders = 4;
 
-/// Rows on all cores, with a bar over `passes` passes.
-struct BakeRows {
-    support::ProgressBar* bar;
-    int passes;
-    int* pass;
-
-    template <typename Body>
-    void operator()(int count, const Body& body) const {
-        std::atomic<int> done{0};
-        support::for_each_row(count, [&](int row) {
-            body(row);
-            const auto all = std::size_t(count);
-            (*bar)(std::size_t(*pass) * all + std::size_t(++done), std::size_t(passes) * all);
-        });
-        ++*pass;
-    }
-};
-
 template <typename Scene>
 AirTables baked(TableKind kind, const airlight::Atmosphere<float>& air) {
     AirTables out{};
     out.kind = kind;
     out.inscatter_shape.atmosphere = out.bruneton_shape.atmosphere = air;
     out.inscatter_shape.lowest_sun = out.bruneton_shape.lowest_sun = airlight::lowest_sun_cosine(air);
-    int pass = 0;
     if (kind == TableKind::transmittance) {
         out.slants = airlight::bake_slants<float, Scene>(air);
     } else if (kind == TableKind::hillaire) {
-        support::ProgressBar bar("Hillaire's table");
         out.hillaire = airlight::bake_hillaire<float, Scene>(air, hillaire_size, hillaire_size, {},
-                                                             BakeRows{&bar, 1, &pass});
+                                                             support::Rows("Hillaire's table"));
     } else if (kind == TableKind::diffuse) {
-        support::ProgressBar bar("diffuse table");
-        out.diffuse = airlight::bake_diffuse_table<float, Scene>(
-            air, diffuse_width, diffuse_height, diffuse_orders, BakeRows{&bar, diffuse_orders, &pass});
+        const support::Rows rows("diffuse table");
+        rows.expect_passes(diffuse_orders);
+        out.diffuse = airlight::bake_diffuse_table<float, Scene>(air, diffuse_width, diffuse_height,
+                                                                 diffuse_orders, rows);
     } else if (kind == TableKind::inscatter3d || kind == TableKind::bruneton) {
-        const int passes = airlight::passes_of_bake(scattering_orders);
         // Half of Bruneton's texels along the view and the altitude: half a minute instead of minutes.
         out.bruneton_shape.views = 64;
         out.bruneton_shape.altitudes = 16;
-        support::ProgressBar bar(kind == TableKind::bruneton ? "table of four dimensions"
+        const support::Rows rows(kind == TableKind::bruneton ? "table of four dimensions"
                                                              : "table of three dimensions");
-        const BakeRows rows{&bar, passes, &pass};
+        rows.expect_passes(airlight::passes_of_bake(scattering_orders));
         out.scattering =
             kind == TableKind::bruneton
                 ? airlight::bake_scattering<Scene>(air, out.bruneton_shape, scattering_orders, rows)

@@ -49,8 +49,8 @@ struct Channel {
 
 bool same_on_gpu(const Kind& kind, const support::Preset& preset, bool software) {
     const Request request{preset, small_size(kind), 3};
-    const Numbers cpu = kind.on_cpu(request, Rows{});
-    const std::vector<double> exact = kind.in_double(request, Rows{});
+    const Numbers cpu = kind.on_cpu(request, support::Rows{});
+    const std::vector<double> exact = kind.in_double(request, support::Rows{});
     GpuBaker baker(preset);
     const Numbers gpu = kind.on_gpu(request, baker);
     if (gpu.size() != cpu.size()) {

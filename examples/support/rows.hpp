@@ -1,25 +1,25 @@
 #pragma once
 
-// How the CPU goes through the rows of a table: on all its cores, and telling how far it is.
+// Rows of a table or a picture, or any jobs, on all cores and with a bar that tells how far they are.
 
 #include <atomic>
-#include <functional>
+#include <cstddef>
 #include <memory>
 #include <string>
 
-#include "support/parallel.hpp"
-#include "support/progress.hpp"
+#include "parallel.hpp"
+#include "progress.hpp"
 
-namespace bake_tables {
+namespace support {
 
-/// rows(count, body) for airlight::bake_table. A table made in several passes calls it once for each, and
-/// says at the start how many there are.
+/// rows(count, body), as airlight::bake_table wants it. What is made in several passes calls it once for
+/// each, and says at the start how many there are.
 class Rows {
   public:
     /// Without a name there is no bar.
     explicit Rows(const std::string& name = "") {
         if (!name.empty()) {
-            bar_ = std::make_shared<support::ProgressBar>(name);
+            bar_ = std::make_shared<ProgressBar>(name);
         }
     }
 
@@ -31,7 +31,7 @@ class Rows {
     template <typename Body>
     void operator()(int count, const Body& body) const {
         std::atomic<int> done{0};
-        support::for_each_row(count, [&](int row) {
+        for_each_row(count, [&](int row) {
             body(row);
             report(std::size_t(++done), std::size_t(count));
         });
@@ -50,9 +50,9 @@ class Rows {
     }
 
   private:
-    std::shared_ptr<support::ProgressBar> bar_;
+    std::shared_ptr<ProgressBar> bar_;
     mutable int passes_ = 1;
     mutable int pass_ = 0;
 };
 
-}  // namespace bake_tables
+}  // namespace support
