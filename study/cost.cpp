@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <fstream>
 
 #include "support/error.hpp"
 
@@ -118,18 +117,6 @@ std::vector<Cost> costs(const std::vector<Setting>& settings, int rounds, const 
         out.push_back(cost);
     }
     return out;
-}
-
-std::string processor() {
-    std::ifstream file("/proc/cpuinfo");
-    std::string line;
-    while (std::getline(file, line)) {
-        const std::size_t colon = line.find(": ");
-        if (line.rfind("model name", 0) == 0 && colon != std::string::npos) {
-            return line.substr(colon + 2);
-        }
-    }
-    return "an unnamed processor";
 }
 
 }  // namespace study

@@ -21,7 +21,4 @@ struct Cost {
 /// on one thread of the processor's own clock, every setting once a round, in turn.
 std::vector<Cost> costs(const std::vector<Setting>& settings, int rounds, const Progress& progress);
 
-/// The processor's name, as the machine reports it.
-std::string processor();
-
 }  // namespace study

@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
-#include "cost.hpp"
 #include "csv.hpp"
 #include "error_metrics.hpp"
 #include "support/command_line.hpp"
 #include "support/error.hpp"
+#include "support/machine.hpp"
 #include "support/parallel.hpp"
 #include "support/progress.hpp"
 
@@ -182,7 +182,7 @@ void print_bake_times() {
                                             vec3<T>(T(0), T(0), T(0.45L))};
     const vec3<T> to_sun(T(0.8L), T(0), T(0.6L));
     std::printf("\nBaked in float on %s, milliseconds, the fastest of seven.\n\n",
-                study::processor().c_str());
+                support::processor_name().c_str());
     std::printf("| table | one core, processor time | every core, by the clock |\n|---|---|---|\n");
     double alone = 0;
     double together = 0;

@@ -8,6 +8,7 @@
 #include "reports.hpp"
 #include "support/error.hpp"
 #include "support/files.hpp"
+#include "support/machine.hpp"
 #include "support/progress.hpp"
 
 namespace {
@@ -62,7 +63,7 @@ void write_cost(const Options& options) {
         "Means over the suite's rays. Time in float on one thread, median of " +
             std::to_string(options.rounds) +
             " rounds that take every setting in turn; ratio is to leenman 16x6 in the same round.",
-        std::string("Machine: ") + study::processor() + "; compiler: " STUDY_COMPILER};
+        std::string("Machine: ") + support::processor_name() + "; compiler: " STUDY_COMPILER};
     write(options, "cost.csv", csv);
 }
 

@@ -13,7 +13,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <thread>
@@ -26,6 +25,7 @@
 #include "support/error.hpp"
 #include "support/files.hpp"
 #include "support/image.hpp"
+#include "support/machine.hpp"
 #include "support/parallel.hpp"
 #include "support/rows.hpp"
 
@@ -428,21 +428,9 @@ void write_pictures(const Settings& settings, const std::vector<Result>& results
     }
 }
 
-/// The machine, in words.
-std::string processor() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.compare(0, 10, "model name") == 0 && colon != std::string::npos) {
-            return line.substr(colon + 2);
-        }
-    }
-    return "a processor that does not say its name";
-}
-
 std::string page(const std::vector<Result>& results, int cores) {
-    return "# What multiple scattering costs, and how wrong it is\n\nWritten by `study/run` (" + processor() +
-           ", " + std::to_string(cores) + " cores). Do not edit." + R"(
+    return "# What multiple scattering costs, and how wrong it is\n\nWritten by `study/run` (" +
+           support::processor_name() + ", " + std::to_string(cores) + " cores). Do not edit." + R"(
 
 Sky radiance of the library's Earth, each of three channels, against the path tracer's light of all orders in
 `reference/data/earth.csv`, where its own errors stand too: zenith, horizon, between, from 10 km, disc and limb from an

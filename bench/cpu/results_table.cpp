@@ -2,26 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
 #include "batch.hpp"
+#include "support/machine.hpp"
 
 namespace cpu_bench {
 namespace {
-
-/// The processor as the system calls it, or "an unnamed processor".
-std::string processor_name() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.compare(0, 10, "model name") == 0 && colon != std::string::npos) {
-            return line.substr(colon + 2);
-        }
-    }
-    return "an unnamed processor";
-}
 
 /// Three significant digits, no exponent.
 std::string short_text(double number) {
@@ -38,7 +26,7 @@ std::string short_text(double number) {
 
 bool CollectingReporter::ReportContext(const Context& context) {
     std::ostringstream out;
-    out << processor_name() << ", " << context.cpu_info.num_cpus << " cores at "
+    out << support::processor_name() << ", " << context.cpu_info.num_cpus << " cores at "
         << std::lround(context.cpu_info.cycles_per_second / 1e6) << " MHz; " << CPU_BENCH_COMPILER;
     machine_ = out.str();
     return ConsoleReporter::ReportContext(context);

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -14,6 +13,7 @@
 #include "look_up.hpp"
 #include "support/error.hpp"
 #include "support/files.hpp"
+#include "support/machine.hpp"
 
 namespace bake_tables {
 namespace {
@@ -26,17 +26,6 @@ std::string text(const char* format, double number) {
     char out[64];
     std::snprintf(out, sizeof out, format, number);
     return out;
-}
-
-std::string cpu_name() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.compare(0, 10, "model name") == 0 && colon != std::string::npos) {
-            return line.substr(colon + 2);
-        }
-    }
-    return "an unnamed CPU";
 }
 
 std::size_t texel_count(const support::TableSize& size) {
@@ -215,8 +204,8 @@ void write_contract(const std::filesystem::path& path, const std::string& render
     std::string page =
         "# Tables: what each holds, how far it is off, what it costs\n\n"
         "Written by `bake_tables --contract docs/tables.md`; do not edit. Measured for Earth on " +
-        cpu_name() + " (" + std::to_string(std::thread::hardware_concurrency()) + " threads), OpenGL by " +
-        renderer +
+        support::processor_name() + " (" + std::to_string(std::thread::hardware_concurrency()) +
+        " threads), OpenGL by " + renderer +
         ".\nTimes are the fastest of a few; a driver that keeps compiled shaders, as this one does, does not "
         "compile "
         "them again.\n\n"
