@@ -15,9 +15,7 @@ constexpr int shown_orders = 4;
 
 void write_picture(const support::Preset& preset, const View& eye, double sun_diameter, int width,
                    const Effort& effort, const std::filesystem::path& path) {
-    if (path.has_parent_path()) {
-        support::make_writable_directory(path.parent_path());
-    }
+    support::make_writable_directory_of(path);
     const int height = width / 2;
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     support::ExrImage image{width,

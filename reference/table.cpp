@@ -9,9 +9,7 @@ namespace reference {
 
 void write_table(const support::Preset& preset, double sun_diameter, const Effort& effort,
                  const std::filesystem::path& path) {
-    if (path.has_parent_path()) {
-        support::make_writable_directory(path.parent_path());
-    }
+    support::make_writable_directory_of(path);
     const std::vector<View> views = judged_views();
     std::vector<Radiance> radiances(3 * views.size());
     const support::Rows jobs("tracing " + preset.name);
@@ -52,9 +50,7 @@ void write_table(const support::Preset& preset, double sun_diameter, const Effor
 
 void write_irradiance_table(const support::Preset& preset, const Effort& effort,
                             const std::filesystem::path& path) {
-    if (path.has_parent_path()) {
-        support::make_writable_directory(path.parent_path());
-    }
+    support::make_writable_directory_of(path);
     const std::vector<double> suns = {60, 40, 20, 10, 5, 2, 0, -1.5, -3, -4.5, -6};
     std::vector<Estimate> irradiances(3 * suns.size());
     const support::Rows jobs("irradiance of " + preset.name);

@@ -93,4 +93,8 @@ void make_writable_directory(const std::filesystem::path& path) {
     std::remove(probe.c_str());
 }
 
+void make_writable_directory_of(const std::filesystem::path& file) {
+    make_writable_directory(file.has_parent_path() ? file.parent_path() : ".");
+}
+
 }  // namespace support

@@ -15,5 +15,7 @@ void write_file(const std::filesystem::path& path, const std::string& bytes);
 /// Makes the folder and its parents where they are missing, and tries that a file can be made in it, so
 /// that a long run fails before its work and not after. Throws Error when not.
 void make_writable_directory(const std::filesystem::path& path);
+/// The same for the folder that a file is to be in.
+void make_writable_directory_of(const std::filesystem::path& file);
 
 }  // namespace support
