@@ -7,7 +7,6 @@
 #include <airlight/tables/sky_view.hpp>
 #include <airlight/tables/transmittance.hpp>
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -16,78 +15,40 @@
 #include <string>
 #include <vector>
 
-#include "csv.hpp"
 #include "error_metrics.hpp"
+#include "path_traced.hpp"
+#include "scenes.hpp"
 #include "support/command_line.hpp"
-#include "support/error.hpp"
 #include "support/machine.hpp"
-#include "support/parallel.hpp"
-#include "support/progress.hpp"
+#include "support/rows.hpp"
 
 namespace {
 
 using airlight::vec3;
 using airlight::Viewpoint;
 
-/// Enough nodes that what is left is the method's error.
-struct ManyNodes : airlight::DefaultScene {
-    static constexpr int nodes = 24;
-};
+using airlight_test::PathTraced;
 
-/// A view of the path tracer's table.
-struct TracedView {
-    double altitude;
-    double sun;  ///< degrees over the horizontal
-    vec3<double> direction;
-    vec3<double> to_sun;
-    vec3<double> total;  ///< all orders, one number a channel
-};
-
-vec3<double> direction_at(double elevation, double azimuth) {
-    const double degree = airlight::pi<double> / 180;
-    const double level = std::cos(elevation * degree);
-    return vec3<double>(level * std::cos(azimuth * degree), level * std::sin(azimuth * degree),
-                        std::sin(elevation * degree));
-}
-
-/// Three lines of the table, one a channel, make a view.
-std::vector<TracedView> traced_views(const std::string& path) {
-    const study::Csv csv = study::read_csv(path);
-    if (csv.rows.empty() || csv.rows.size() % 3 != 0) {
-        throw support::Error(
-            path + " has not three lines, one a channel, for each view: write it with path_trace --table");
-    }
-    std::vector<TracedView> views;
-    for (std::size_t row = 0; row < csv.rows.size(); row += 3) {
-        const double sun = csv.number(row, "sun_elevation");
-        TracedView view = {csv.number(row, "altitude"), sun,
-                           direction_at(csv.number(row, "elevation"), csv.number(row, "azimuth")),
-                           direction_at(sun, 0), vec3<double>(0)};
-        for (int channel = 0; channel < 3; ++channel) {
-            view.total[channel] = csv.number(row + static_cast<std::size_t>(channel), "total");
-        }
-        views.push_back(view);
-    }
-    return views;
-}
+/// Enough that what is left is the method's error.
+using ManyNodes = airlight_test::Nodes<24>;
 
 /// Light of a view by some method.
-using Method = std::function<vec3<double>(const TracedView&)>;
+using Method = std::function<vec3<double>(const PathTraced&)>;
 
-void print_errors(const std::string& name, const std::vector<TracedView>& views, const Method& light) {
-    std::vector<vec3<double>> got(views.size());
-    support::ProgressBar bar(name);
-    std::atomic<std::size_t> done{0};
-    support::for_each_row(static_cast<int>(views.size()), [&](int row) {
-        got[static_cast<std::size_t>(row)] = light(views[static_cast<std::size_t>(row)]);
-        bar(++done, views.size());
+/// The views have three entries each, one a channel.
+void print_errors(const std::string& name, const std::vector<PathTraced>& views, const Method& light) {
+    std::vector<vec3<double>> got(views.size() / 3);
+    const support::Rows rows(name);
+    rows(static_cast<int>(got.size()), [&](int row) {
+        const auto i = static_cast<std::size_t>(row);
+        got[i] = light(views[3 * i]);
     });
     std::string line = "| " + name + " |";
-    const auto add = [&](double low, double high) {
+    for (const airlight_test::SunClass& sun : airlight_test::sun_classes) {
         std::vector<double> errors;
         for (std::size_t i = 0; i < views.size(); ++i) {
-            for (int channel = 0; channel < 3 && views[i].sun > low && views[i].sun <= high; ++channel) {
-                errors.push_back(std::fabs(got[i][channel] / views[i].total[channel] - 1));
+            if (sun.holds(views[i])) {
+                errors.push_back(std::fabs(got[i / 3][views[i].channel] / views[i].total - 1));
             }
         }
         const airlight_test::ErrorMetrics m = airlight_test::error_metrics(errors);
@@ -95,10 +56,7 @@ void print_errors(const std::string& name, const std::vector<TracedView>& views,
         std::snprintf(text, sizeof text, " %.1f / %.1f / %.1f |", 100 * m.median, 100 * m.p95,
                       100 * m.largest);
         line += text;
-    };
-    add(0, 90);
-    add(-6.5, 0);
-    add(-90, -6.5);
+    }
     std::printf("%s\n", line.c_str());
     std::fflush(stdout);
 }
@@ -116,7 +74,7 @@ struct ComputedHillaire {
 
 void print_all_errors(const std::string& path) {
     const airlight::Atmosphere<double> air = airlight::earth<double>();
-    const std::vector<TracedView> views = traced_views(path);
+    const std::vector<PathTraced> views = airlight_test::read_path_traced(path);
     airlight::Table<vec3<double>> table = airlight::bake_hillaire(air);
     airlight::Table<vec3<double>> roots = table;
     for (vec3<double>& texel : roots.texels) {
@@ -124,16 +82,16 @@ void print_all_errors(const std::string& path) {
     }
     const airlight::HillaireEffort fine = {24, 12, 100};
     const auto all = [&](const auto& hook) -> Method {
-        return [&air, hook](const TracedView& view) {
-            const Viewpoint<double> eye{view.altitude, vec3<double>(0, 0, 1)};
-            return airlight::all_scattering<double, ManyNodes>(air, eye, view.direction, view.to_sun,
-                                                               airlight::no_surface<double>(), hook)
+        return [&air, hook](const PathTraced& view) {
+            return airlight::all_scattering<double, ManyNodes>(
+                       air, view.eye<double>(), view.direction<double>(), view.to_sun<double>(),
+                       airlight::no_surface<double>(), hook)
                 .radiance;
         };
     };
     std::printf(
         "Errors of each channel against %zu views of the path tracer, percent: median / 95 %% / largest.\n\n",
-        views.size());
+        views.size() / 3);
     std::printf("| method | sun up | 0 to -6 degrees | below |\n|---|---|---|---|\n");
     print_errors("once", views, all(airlight::NoDiffuseLight{}));
     print_errors("Hillaire, 32 x 32", views, all(airlight::HillaireLight<double>{&air, &table}));
@@ -165,13 +123,6 @@ double wall_clock() {
     return now.count();
 }
 
-struct EveryCore {
-    template <typename Body>
-    void operator()(int count, const Body& body) const {
-        support::for_each_row(count, body);
-    }
-};
-
 void print_bake_times() {
     using T = float;
     const airlight::Atmosphere<T> air = airlight::earth<T>();
@@ -188,7 +139,7 @@ void print_bake_times() {
     double together = 0;
     const auto print = [&](const char* name, const auto& bake) {
         const double one = fastest(processor_clock, [&] { bake(airlight::OneAfterAnother{}); });
-        const double every = fastest(wall_clock, [&] { bake(EveryCore{}); });
+        const double every = fastest(wall_clock, [&] { bake(support::Rows{}); });
         alone += one;
         together += every;
         std::printf("| %s | %.1f | %.1f |\n", name, one, every);
@@ -212,7 +163,7 @@ int main(int argc, char** argv) {
         "Errors of Hillaire's multiple scattering against the path tracer, and bake times of the fast "
         "tables.",
         "fast_tables");
-    std::string path = STUDY_REFERENCE;
+    std::string path = STUDY_ROOT "/reference/data/earth.csv";
     bool times_only = false;
     support::add_value(app, "--reference", "<file>", path,
                        "the path tracer's table (default: reference/data/earth.csv)");

@@ -21,6 +21,7 @@
 
 #include "error_metrics.hpp"
 #include "path_traced.hpp"
+#include "scenes.hpp"
 #include "support/command_line.hpp"
 #include "support/error.hpp"
 #include "support/files.hpp"
@@ -31,13 +32,8 @@
 
 namespace {
 
+using airlight_test::Nodes;
 using airlight_test::PathTraced;
-
-/// Samples on a leg of a ray, and polar angles of half a sphere.
-template <int Count>
-struct Nodes : airlight::DefaultScene {
-    static constexpr int nodes = Count;
-};
 
 /// A panorama of the sky over the ground by the path tracer: the sun's side in the middle, the zenith on top.
 struct Panorama {
@@ -240,17 +236,6 @@ void add_light_from_all_sides(std::vector<Result>& results, const std::string& n
     results.push_back(result);
 }
 
-/// Hillaire's table as light from all sides.
-template <typename T>
-struct EvenLight {
-    airlight::Atmosphere<T> atmosphere;
-    airlight::Table<airlight::vec3<T>> table;
-    airlight::DiffuseLight<T> operator()(T altitude, T mu_s) const {
-        return airlight::even_light(
-            sample(table, airlight::altitude_sun_uv(atmosphere, altitude, mu_s, table.width, table.height)));
-    }
-};
-
 /// All orders are meant where a series stands for the last.
 constexpr int every_order = 12;
 
@@ -259,10 +244,12 @@ void add_small_tables(std::vector<Result>& results, const Settings& settings,
                       const std::vector<PathTraced>& views) {
     using Air = airlight::Atmosphere<T>;
     const support::Rows rows;
+    airlight::Table<airlight::vec3<T>> hillaire;
     add_light_from_all_sides<T>(
         results, "Hillaire, order 1 by 8 nodes", "32 x 32", every_order, 3 * 32 * 32,
         [&](const Air& air) {
-            return EvenLight<T>{air, airlight::bake_hillaire<T>(air, 32, 32, {}, rows)};
+            hillaire = airlight::bake_hillaire<T>(air, 32, 32, {}, rows);
+            return airlight::HillaireLight<T>{&air, &hillaire};
         },
         settings, views);
     const auto layers = static_cast<std::size_t>(airlight::diffuse_table_layers);

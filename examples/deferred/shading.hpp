@@ -48,17 +48,6 @@ inline float sun_glint(const Surface& surface, const vec3& normal, const vec3& t
     return distribution * masking * mirrored_share(airlight::dot_product(to_sun, half_way));
 }
 
-/// Hillaire's table as light from all sides.
-struct EvenLight {
-    const airlight::Atmosphere<float>& atmosphere;
-    const airlight::Table<vec3>& table;
-
-    airlight::DiffuseLight<float> operator()(float altitude, float mu_s) const {
-        return airlight::even_light(
-            sample(table, airlight::altitude_sun_uv(atmosphere, altitude, mu_s, table.width, table.height)));
-    }
-};
-
 /// The light of single scattering and what a table of light from all sides adds.
 template <typename Scene, typename Light>
 airlight::Scattered<float> all_light(const airlight::Atmosphere<float>& air, const Frame& frame,
@@ -97,7 +86,7 @@ airlight::Scattered<float> air_light(const airlight::Atmosphere<float>& air, con
             return table_light<Scene>(tables.bruneton_shape, tables, frame, eye, direction, distance);
         case TableKind::hillaire:
             return all_light<Scene>(air, frame, eye, direction, distance, steps,
-                                    EvenLight{air, tables.hillaire});
+                                    airlight::HillaireLight<float>{&air, &tables.hillaire});
         case TableKind::diffuse:
             return all_light<Scene>(air, frame, eye, direction, distance, steps, tables.diffuse);
         case TableKind::transmittance:

@@ -1,6 +1,6 @@
 #pragma once
 
-// The path tracer's 42 views of the library's Earth, order by order: what tables of scattered light are
+// The path tracer's 66 views of the library's Earth, order by order: what tables of scattered light are
 // judged by.
 
 #include <algorithm>
