@@ -9,43 +9,16 @@
 
 #include "shader.hpp"
 #include "support/command_line.hpp"
-#include "support/error.hpp"
-#include "support/gl_context.hpp"
+#include "support/gl_test.hpp"
 
 namespace parity {
 
 using support::add_switch;
 using support::add_value;
 using support::guarded_main;
+using support::is_software;
+using support::open_context;
 using support::skipped;
-
-/// Whether a machine without OpenGL is a failure: in CI, and where the user says so.
-inline bool gl_required() {
-    return support::environment_asks({"CI", "AIRLIGHT_REQUIRE_GL"});
-}
-
-/// A context, or null (after saying why) where there is no OpenGL and none is required.
-inline std::unique_ptr<support::GlContext> open_context() {
-    try {
-        return std::make_unique<support::GlContext>(4, 3);
-    } catch (const support::Error& e) {
-        if (gl_required()) {
-            throw;
-        }
-        std::cout << "skipped: " << e.what() << "\n(set AIRLIGHT_REQUIRE_GL=1 to make this a failure)\n";
-        return nullptr;
-    }
-}
-
-/// Whether the driver computes on the CPU, where + - * / sqrt are those of the machine.
-inline bool is_software(const std::string& renderer) {
-    for (const char* const name : {"llvmpipe", "softpipe"}) {
-        if (renderer.find(name) != std::string::npos) {
-            return true;
-        }
-    }
-    return false;
-}
 
 inline void add_glsl(CLI::App& app, GlslFolder& glsl) {
     add_value(app, "--glsl", "<folder>", glsl.folder,

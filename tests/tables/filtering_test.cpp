@@ -9,10 +9,8 @@
 #include <vector>
 
 #include "samplers.hpp"
-#include "support/command_line.hpp"
-#include "support/error.hpp"
-#include "support/gl_context.hpp"
 #include "support/gl_table.hpp"
+#include "support/gl_test.hpp"
 #include "support/table_file.hpp"
 
 namespace {
@@ -23,18 +21,6 @@ using airlight::vec3;
 using vec4 = airlight::vec4<float>;
 
 constexpr int places = 16384;
-
-std::unique_ptr<support::GlContext> open_context() {
-    try {
-        return std::make_unique<support::GlContext>(4, 3);
-    } catch (const support::Error& error) {
-        if (support::environment_asks({"CI", "AIRLIGHT_REQUIRE_GL"})) {
-            throw;
-        }
-        std::cout << "skipped: " << error.what() << "\n(set AIRLIGHT_REQUIRE_GL=1 to make this a failure)\n";
-        return nullptr;
-    }
-}
 
 /// The texture at each of the places, by a compute shader.
 std::vector<vec4> filtered_by_gl(GLuint texture, bool flat, const std::vector<vec4>& uvw) {
@@ -141,11 +127,11 @@ bool compare(const std::string& name, GLenum format, const support::TableSize& s
 
 int main() {
     try {
-        const std::unique_ptr<support::GlContext> context = open_context();
+        const std::unique_ptr<support::GlContext> context = support::open_context();
         if (context == nullptr) {
             return support::skipped;
         }
-        const bool software = context->renderer().find("llvmpipe") != std::string::npos;
+        const bool software = support::is_software(context->renderer());
         std::printf("%s\n", context->renderer().c_str());
         bool passed = true;
         passed = compare("two dimensions, 32 bits", GL_RGBA32F, {33, 16, 1}, true, software) && passed;

@@ -7,25 +7,11 @@
 #include <memory>
 
 #include "kinds.hpp"
-#include "support/command_line.hpp"
-#include "support/error.hpp"
-#include "support/gl_context.hpp"
+#include "support/gl_test.hpp"
 
 namespace {
 
 using namespace bake_tables;
-
-std::unique_ptr<support::GlContext> open_context() {
-    try {
-        return std::make_unique<support::GlContext>(4, 3);
-    } catch (const support::Error& error) {
-        if (support::environment_asks({"CI", "AIRLIGHT_REQUIRE_GL"})) {
-            throw;
-        }
-        std::cout << "skipped: " << error.what() << "\n(set AIRLIGHT_REQUIRE_GL=1 to make this a failure)\n";
-        return nullptr;
-    }
-}
 
 /// Small, and odd where the table allows it.
 support::TableSize small_size(const Kind& kind) {
@@ -116,12 +102,12 @@ bool same_on_gpu(const Kind& kind, const support::Preset& preset, bool software)
 
 int main() {
     try {
-        const std::unique_ptr<support::GlContext> context = open_context();
+        const std::unique_ptr<support::GlContext> context = support::open_context();
         if (context == nullptr) {
             return support::skipped;
         }
         std::printf("%s\n", context->renderer().c_str());
-        const bool software = context->renderer().find("llvmpipe") != std::string::npos;
+        const bool software = support::is_software(context->renderer());
         bool passed = true;
         for (const Kind& kind : kinds()) {
             for (const support::Preset& preset : support::presets()) {
