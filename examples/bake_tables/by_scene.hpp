@@ -16,41 +16,10 @@ struct SceneWithOzone : airlight::DefaultScene {
     static constexpr int ozone = Profile;
 };
 
-template <typename T>
-airlight::Atmosphere<T> converted(const airlight::Atmosphere<double>& a) {
-    using vec3 = airlight::vec3<T>;
-    return {T(a.ground_radius),          T(a.top_altitude),
-            vec3(a.rayleigh_scattering), T(a.rayleigh_scale_height),
-            vec3(a.mie_scattering),      vec3(a.mie_absorption),
-            T(a.mie_scale_height),       T(a.mie_g),
-            vec3(a.ozone_absorption),    T(a.ozone_altitude),
-            T(a.ozone_half_width),       vec3(a.ground_albedo)};
-}
-
-/// Appends the numbers of texels of vec2, vec3 or vec4.
-template <typename Texel>
-void append(std::vector<typename Texel::value_type>& numbers, const Texel& texel) {
-    for (int c = 0; c < Texel::length(); ++c) {
-        numbers.push_back(texel[c]);
-    }
-}
-
-/// The texels of tables of one size, side by side.
-template <typename First, typename... Others>
-std::vector<typename First::value_type> flat(const airlight::Table<First>& first,
-                                             const airlight::Table<Others>&... others) {
-    std::vector<typename First::value_type> numbers;
-    for (std::size_t n = 0; n < first.texels.size(); ++n) {
-        append(numbers, first.texels[n]);
-        (append(numbers, others.texels[n]), ...);
-    }
-    return numbers;
-}
-
 /// Calls bake(scene, atmosphere in T).
 template <typename T, typename Bake>
 std::vector<T> by_scene(const support::Preset& preset, const Bake& bake) {
-    const airlight::Atmosphere<T> air = converted<T>(preset.air);
+    const airlight::Atmosphere<T> air = support::converted<T>(preset.air);
     switch (preset.ozone) {
         case airlight::ozone_tent:
             return bake(SceneWithOzone<airlight::ozone_tent>{}, air);
@@ -92,7 +61,7 @@ void bake_each_alone(Kind& kind, const TexelAt& texel) {
                 return texel(scene, air, airlight::texel_centre<T>(table, i, j, k), request.size);
             },
             rows);
-        return flat(table);
+        return support::numbers_of(table);
     });
 }
 

@@ -28,10 +28,6 @@ std::string text(const char* format, double number) {
     return out;
 }
 
-std::size_t texel_count(const support::TableSize& size) {
-    return std::size_t(size.width) * std::size_t(size.height) * std::size_t(size.depth);
-}
-
 std::string size_text(const support::TableSize& size) {
     return std::to_string(size.width) + " x " + std::to_string(size.height) +
            (size.depth == 1 ? "" : " x " + std::to_string(size.depth));
@@ -115,7 +111,7 @@ std::vector<support::TableSize> sizes_around(const Kind& kind) {
         const auto side = [&](int full) { return full == 1 ? 1 : full * quarters / 4; };
         const support::TableSize size{side(kind.size.width), side(kind.size.height),
                                       kind.layered ? kind.size.depth : side(kind.size.depth)};
-        if (texel_count(size) <= most_texels && kind.takes_size(size)) {
+        if (support::texel_count(size) <= most_texels && kind.takes_size(size)) {
             sizes.push_back(size);
         }
     }
@@ -151,7 +147,7 @@ std::string section(const Kind& kind, const support::Preset& preset, double cpu,
     for (const std::string& channel : kind.channels) {
         channels += (channels.empty() ? "" : ", ") + channel;
     }
-    const std::size_t numbers = texel_count(kind.size) * kind.channels.size();
+    const std::size_t numbers = support::texel_count(kind.size) * kind.channels.size();
     std::string what = kind.what;
     what[0] = char(std::toupper(what[0]));
     std::string page = "## " + kind.name + "\n\n" + what + ".\n\n";

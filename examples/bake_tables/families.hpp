@@ -8,6 +8,11 @@
 
 namespace bake_tables {
 
+/// Of tables half of whose rows look at the ground.
+inline bool even_height(const support::TableSize& size) {
+    return size.height % 2 == 0;
+}
+
 std::vector<Kind> transmittance_kinds();
 std::vector<Kind> diffuse_kinds();
 std::vector<Kind> frame_kinds();

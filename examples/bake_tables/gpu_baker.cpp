@@ -16,16 +16,6 @@ GLuint groups(int count) {
     return GLuint((count + group_size - 1) / group_size);
 }
 
-airlight::Atmosphere<float> in_float(const airlight::Atmosphere<double>& a) {
-    using vec3 = airlight::vec3<float>;
-    return {float(a.ground_radius),      float(a.top_altitude),
-            vec3(a.rayleigh_scattering), float(a.rayleigh_scale_height),
-            vec3(a.mie_scattering),      vec3(a.mie_absorption),
-            float(a.mie_scale_height),   float(a.mie_g),
-            vec3(a.ozone_absorption),    float(a.ozone_altitude),
-            float(a.ozone_half_width),   vec3(a.ground_albedo)};
-}
-
 }  // namespace
 
 GpuBaker::GpuBaker(const support::Preset& preset, const support::Rows& rows) : preset_(preset), rows_(rows) {}
@@ -65,7 +55,7 @@ void GpuBaker::run(const std::string& shader, const std::vector<const GpuTable*>
                    const std::vector<Source>& sources, const std::vector<Setting>& settings,
                    const std::string& defines, int slices) {
     const support::Uniforms uniforms(program(shader, defines));
-    uniforms.set("atmosphere", in_float(preset_.air));
+    uniforms.set("atmosphere", support::converted<float>(preset_.air));
     const support::TableSize size = targets.front()->size;
     uniforms.set("width", size.width);
     uniforms.set("height", size.height);
@@ -96,6 +86,20 @@ void GpuBaker::run(const std::string& shader, const std::vector<const GpuTable*>
 
 std::vector<float> numbers_of(const GpuTable& table, int channels) {
     return support::download_table(table.texture, table.size, channels, table.shape);
+}
+
+std::vector<float> side_by_side(const std::vector<const GpuTable*>& tables) {
+    std::vector<std::vector<float>> parts;
+    for (const GpuTable* const table : tables) {
+        parts.push_back(numbers_of(*table, 3));
+    }
+    std::vector<float> numbers;
+    for (std::size_t n = 0; n < parts.front().size(); n += 3) {
+        for (const std::vector<float>& part : parts) {
+            numbers.insert(numbers.end(), {part[n], part[n + 1], part[n + 2]});
+        }
+    }
+    return numbers;
 }
 
 }  // namespace bake_tables

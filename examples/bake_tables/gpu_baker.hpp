@@ -74,4 +74,7 @@ class GpuBaker {
 /// The first `channels` numbers of every texel.
 std::vector<float> numbers_of(const GpuTable& table, int channels);
 
+/// The first three numbers of every texel of tables of one size, table after table in each texel.
+std::vector<float> side_by_side(const std::vector<const GpuTable*>& tables);
+
 }  // namespace bake_tables

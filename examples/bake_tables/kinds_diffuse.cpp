@@ -60,9 +60,9 @@ Kind diffuse() {
     bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         using T = scalar_of<std::decay_t<decltype(air)>>;
         rows.expect_passes(request.orders);
-        return flat(airlight::bake_diffuse_table<T, decltype(scene)>(
-                        air, request.size.width, request.size.height, request.orders, rows)
-                        .texels);
+        return support::numbers_of(airlight::bake_diffuse_table<T, decltype(scene)>(
+                                       air, request.size.width, request.size.height, request.orders, rows)
+                                       .texels);
     });
     kind.on_gpu = diffuse_on_gpu;
     kind.has_sun = true;

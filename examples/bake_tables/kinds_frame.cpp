@@ -35,10 +35,6 @@ airlight::CameraRays<T> camera() {
             vec3<T>(T(0), T(0), T(0.57735026918962576L))};
 }
 
-bool even_height(const support::TableSize& size) {
-    return size.height % 2 == 0;
-}
-
 Kind sky_view() {
     Kind kind{"sky_view",
               "the sky around one eye, light scattered once",
@@ -53,7 +49,7 @@ Kind sky_view() {
     kind.takes_size = even_height;
     bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         using T = scalar_of<std::decay_t<decltype(air)>>;
-        return flat(airlight::bake_sky_view<T, decltype(scene)>(
+        return support::numbers_of(airlight::bake_sky_view<T, decltype(scene)>(
             air, T(request.eye_altitude), T(sun_cosine(request)), request.size.width, request.size.height,
             airlight::NoDiffuseLight{}, rows));
     });
@@ -98,7 +94,7 @@ Kind froxels() {
         const airlight::Froxels<T> made = airlight::bake_froxels<T, decltype(scene)>(
             air, eye_of<T>(request), camera<T>(), to_sun<T>(request), T(froxel_distance), size,
             airlight::NoDiffuseLight{}, rows);
-        return flat(made.radiance, made.depth);
+        return support::numbers_of(made.radiance, made.depth);
     });
     kind.on_gpu = [](const Request& request, GpuBaker& gpu) {
         const GpuTable radiance = gpu.make_table(request.size);
@@ -113,14 +109,7 @@ Kind froxels() {
                   {"to_sun", to_sun<float>(request)},
                   {"max_distance", float(froxel_distance)},
                   {"slices", airlight::slices_quadratic}});
-        const Numbers parts[2] = {numbers_of(radiance, 3), numbers_of(depth, 3)};
-        Numbers numbers;
-        for (std::size_t n = 0; n < parts[0].size(); n += 3) {
-            for (const Numbers& part : parts) {
-                numbers.insert(numbers.end(), {part[n], part[n + 1], part[n + 2]});
-            }
-        }
-        return numbers;
+        return side_by_side({&radiance, &depth});
     };
     compare_each(kind, [](auto scene, const auto& air, const Request& request, const LookUp& look_up,
                           Draws& draws, Compared& all) {

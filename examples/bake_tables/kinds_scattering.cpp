@@ -15,10 +15,6 @@ using airlight::vec3;
 constexpr int nus = 8;
 constexpr int directions = 2 * airlight::DefaultScene::nodes * 16;
 
-bool even_height(const support::TableSize& size) {
-    return size.height % 2 == 0;
-}
-
 template <typename T>
 airlight::InscatterShape<T> inscatter_shape(const airlight::Atmosphere<T>& air,
                                             const support::TableSize& size) {
@@ -99,16 +95,8 @@ GpuOrders orders_on_gpu(const Request& request, GpuBaker& gpu, const std::string
     return out;
 }
 
-Numbers side_by_side(const GpuOrders& tables) {
-    const Numbers parts[3] = {numbers_of(tables.rayleigh, 3), numbers_of(tables.mie, 3),
-                              numbers_of(tables.multiple, 3)};
-    Numbers numbers;
-    for (std::size_t n = 0; n < parts[0].size(); n += 3) {
-        for (const Numbers& part : parts) {
-            numbers.insert(numbers.end(), {part[n], part[n + 1], part[n + 2]});
-        }
-    }
-    return numbers;
+Numbers all_numbers_of(const GpuOrders& tables) {
+    return side_by_side({&tables.rayleigh, &tables.mie, &tables.multiple});
 }
 
 std::vector<Setting> inscatter_sizes(const support::TableSize& size) {
@@ -163,11 +151,11 @@ Kind inscatter3d() {
         rows.expect_passes(airlight::passes_of_bake(request.orders));
         const auto tables = airlight::bake_scattering<decltype(scene)>(
             air, inscatter_shape(air, request.size), request.orders, rows);
-        return flat(tables.rayleigh, tables.mie, tables.multiple);
+        return support::numbers_of(tables.rayleigh, tables.mie, tables.multiple);
     });
     kind.on_gpu = [](const Request& request, GpuBaker& gpu) {
-        return side_by_side(orders_on_gpu(request, gpu, "THREE_DIMENSIONS", inscatter_sizes(request.size),
-                                          request.size.width, request.size.depth));
+        return all_numbers_of(orders_on_gpu(request, gpu, "THREE_DIMENSIONS", inscatter_sizes(request.size),
+                                            request.size.width, request.size.depth));
     };
     kind.has_sun = true;
     compare_each(kind, [](auto scene, const auto& air, const Request& request, const LookUp& look_up,
@@ -206,11 +194,11 @@ Kind bruneton() {
         rows.expect_passes(airlight::passes_of_bake(request.orders));
         const auto tables = airlight::bake_scattering<decltype(scene)>(air, bruneton_shape(air, request.size),
                                                                        request.orders, rows);
-        return flat(tables.rayleigh, tables.mie, tables.multiple);
+        return support::numbers_of(tables.rayleigh, tables.mie, tables.multiple);
     });
     kind.on_gpu = [](const Request& request, GpuBaker& gpu) {
-        return side_by_side(orders_on_gpu(request, gpu, "FOUR_DIMENSIONS", bruneton_sizes(request.size),
-                                          request.size.depth, request.size.width / nus));
+        return all_numbers_of(orders_on_gpu(request, gpu, "FOUR_DIMENSIONS", bruneton_sizes(request.size),
+                                            request.size.depth, request.size.width / nus));
     };
     kind.has_sun = true;
     compare_each(kind, [](auto scene, const auto& air, const Request& request, const LookUp& look_up,
@@ -249,7 +237,7 @@ Kind irradiance() {
         rows.expect_passes(airlight::passes_of_bake(request.orders));
         const auto tables = airlight::bake_scattering<decltype(scene)>(
             air, inscatter_shape(air, {16, 64, 32}), request.orders, rows);
-        return flat(tables.irradiance);
+        return support::numbers_of(tables.irradiance);
     });
     kind.on_gpu = [](const Request& request, GpuBaker& gpu) {
         const support::TableSize around{16, 64, 32};

@@ -6,6 +6,7 @@
 
 #include "support/gl_table.hpp"
 #include "support/rows.hpp"
+#include "support/table_file.hpp"
 
 namespace deferred {
 namespace {
@@ -50,17 +51,9 @@ AirTables baked(TableKind kind, const airlight::Atmosphere<float>& air) {
 
 template <typename Texel>
 support::Texture texture_of(const airlight::Table<Texel>& table) {
-    constexpr int channels = int(sizeof(Texel) / sizeof(float));
     const support::TableSize size{table.width, table.height, table.depth};
     support::Texture texture = support::create_table_texture(GL_RGBA32F, size);
-    std::vector<float> numbers;
-    numbers.reserve(table.texels.size() * std::size_t(channels));
-    for (const Texel& texel : table.texels) {
-        for (int c = 0; c < channels; ++c) {
-            numbers.push_back(texel[c]);
-        }
-    }
-    support::upload_table(texture, size, numbers, channels);
+    support::upload_table(texture, size, support::numbers_of(table), Texel::length());
     return texture;
 }
 

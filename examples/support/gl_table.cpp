@@ -1,15 +1,10 @@
 #include "support/gl_table.hpp"
 
-#include <cstddef>
-
 namespace support {
-namespace {
 
 std::size_t texel_count(const TableSize& size) {
     return std::size_t(size.width) * std::size_t(size.height) * std::size_t(size.depth);
 }
-
-}  // namespace
 
 GLenum table_target(TableShape shape) {
     switch (shape) {

@@ -2,6 +2,7 @@
 
 // Tables as OpenGL textures.
 
+#include <cstddef>
 #include <vector>
 
 #include "support/gl_objects.hpp"
@@ -14,6 +15,8 @@ struct TableSize {
     int height;
     int depth;
 };
+
+std::size_t texel_count(const TableSize& size);
 
 /// What kind of texture holds a table: filtered across its slices too, one slice only, or slices that are
 /// layers of their own.

@@ -17,6 +17,18 @@ struct Preset {
     int ozone;  ///< profile of the absorbing layer, airlight::ozone_tent and so on
 };
 
+/// The preset's numbers in another scalar.
+template <typename T>
+airlight::Atmosphere<T> converted(const airlight::Atmosphere<double>& a) {
+    using vec3 = airlight::vec3<T>;
+    return {T(a.ground_radius),          T(a.top_altitude),
+            vec3(a.rayleigh_scattering), T(a.rayleigh_scale_height),
+            vec3(a.mie_scattering),      vec3(a.mie_absorption),
+            T(a.mie_scale_height),       T(a.mie_g),
+            vec3(a.ozone_absorption),    T(a.ozone_altitude),
+            T(a.ozone_half_width),       vec3(a.ground_albedo)};
+}
+
 inline std::vector<Preset> presets() {
     return {{"earth", airlight::earth<double>(), airlight::ozone_tent},
             {"cs562", airlight::cs562_earth<double>(), airlight::ozone_none},

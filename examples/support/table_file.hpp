@@ -72,15 +72,25 @@ void write_table(const std::filesystem::path& path, const StoredTable& table, Ta
 /// airlight, and for texels that are not finite, or negative without leave.
 StoredTable read_table(const std::filesystem::path& path, const TableDescription& wanted);
 
-/// Texels of vec3 or vec4, or of any other type that is nothing but floats, as numbers.
-template <typename Texel>
-std::vector<float> numbers_of(const airlight::Table<Texel>& table) {
-    static_assert(sizeof(Texel) % sizeof(float) == 0);
-    const auto* first = reinterpret_cast<const float*>(table.texels.data());
-    return std::vector<float>(first, first + table.texels.size() * (sizeof(Texel) / sizeof(float)));
+/// The numbers of tables of one size, whose texels are vec2, vec3 or vec4: table after table in each texel.
+template <typename First, typename... Others>
+std::vector<typename First::value_type> numbers_of(const airlight::Table<First>& first,
+                                                   const airlight::Table<Others>&... others) {
+    std::vector<typename First::value_type> numbers;
+    const auto append = [&](const auto& texel) {
+        for (int c = 0; c < texel.length(); ++c) {
+            numbers.push_back(texel[c]);
+        }
+    };
+    for (std::size_t n = 0; n < first.texels.size(); ++n) {
+        append(first.texels[n]);
+        (append(others.texels[n]), ...);
+    }
+    return numbers;
 }
 
-/// The inverse. The description's channels must be as many as a texel has numbers.
+/// The inverse for one table, also of another type that is nothing but floats. The description's channels
+/// must be as many as a texel has numbers.
 template <typename Texel>
 airlight::Table<Texel> table_of(const StoredTable& stored) {
     static_assert(sizeof(Texel) % sizeof(float) == 0);
