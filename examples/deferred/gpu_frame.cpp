@@ -98,9 +98,6 @@ GpuRenderer::GpuRenderer(const World& world, const AirTables& tables, const Terr
       width_(width),
       height_(height),
       has_clip_control_(epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control")),
-      kind_(tables.kind),
-      scattering_size_(tables.bruneton_shape.nus, tables.bruneton_shape.suns, tables.bruneton_shape.views,
-                       tables.bruneton_shape.altitudes),
       tables_(tables) {
     const std::string clip_define =
         std::string("#define CLIP_CONTROL ") + (has_clip_control_ ? "1" : "0") + "\n";
@@ -108,8 +105,7 @@ GpuRenderer::GpuRenderer(const World& world, const AirTables& tables, const Terr
         world.lorentzian_ozone ? "#define AIRLIGHT_OZONE AIRLIGHT_OZONE_LORENTZIAN\n" : "";
     terrain_program_ = read_program("terrain.vert", "terrain.frag", clip_define);
     planet_program_ = read_program("screen.vert", "planet.frag", scene_define);
-    lighting_program_ =
-        read_program("screen.vert", "lighting.frag", scene_define + GpuTables::defines(kind_));
+    lighting_program_ = read_program("screen.vert", "lighting.frag", scene_define + tables_.defines());
     display_program_ = read_program("screen.vert", "display.frag", "");
 
     depth_ = support::create_texture(GL_DEPTH_COMPONENT32F, width, height);
@@ -193,10 +189,7 @@ GpuPicture GpuRenderer::draw(const View& view) {
     bind_texture(0, depth_);
     bind_texture(1, albedo_);
     bind_texture(2, normal_);
-    tables_.bind(lighting_program_);
-    if (kind_ == TableKind::bruneton) {
-        glUniform4iv(glGetUniformLocation(lighting_program_, "scattering_size"), 1, &scattering_size_.x);
-    }
+    tables_.bind(lighting);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glFinish();
     const std::chrono::duration<double, std::milli> duration = std::chrono::steady_clock::now() - start;

@@ -49,8 +49,6 @@ class GpuRenderer {
     int width_;
     int height_;
     bool has_clip_control_;
-    TableKind kind_;
-    glm::ivec4 scattering_size_;  // of the table of four dimensions
     GpuTables tables_;
 
     support::Texture depth_;

@@ -70,7 +70,10 @@ AirTables bake_tables(TableKind kind, const World& world) {
                                   : baked<airlight::DefaultScene>(kind, world.atmosphere);
 }
 
-GpuTables::GpuTables(const AirTables& tables) {
+GpuTables::GpuTables(const AirTables& tables)
+    : kind_(tables.kind),
+      scattering_size_(tables.bruneton_shape.nus, tables.bruneton_shape.suns, tables.bruneton_shape.views,
+                       tables.bruneton_shape.altitudes) {
     if (tables.kind == TableKind::transmittance) {
         textures_.push_back(texture_of(tables.slants));
     } else if (tables.kind == TableKind::hillaire) {
@@ -81,21 +84,20 @@ GpuTables::GpuTables(const AirTables& tables) {
         textures_.push_back(texture_of(tables.scattering.rayleigh));
         textures_.push_back(texture_of(tables.scattering.mie));
         textures_.push_back(texture_of(tables.scattering.multiple));
-        textures_.push_back(texture_of(tables.scattering.irradiance));
     }
 }
 
-void GpuTables::bind(GLuint program) const {
-    static const char* const names[] = {"table_0", "table_1", "table_2", "table_3"};
+void GpuTables::bind(const support::Uniforms& program) const {
     for (std::size_t i = 0; i < textures_.size(); ++i) {
         glActiveTexture(GLenum(GL_TEXTURE3 + i));
         glBindTexture(GL_TEXTURE_3D, textures_[i]);
-        glUniform1i(glGetUniformLocation(program, names[i]), GLint(3 + i));
+        program.set("table_" + std::to_string(i), int(3 + i));
     }
+    program.set("scattering_size", scattering_size_);
 }
 
-std::string GpuTables::defines(TableKind kind) {
-    return "#define TABLES " + std::to_string(int(kind)) + "\n";
+std::string GpuTables::defines() const {
+    return "#define TABLES " + std::to_string(int(kind_)) + "\n";
 }
 
 }  // namespace deferred

@@ -10,6 +10,7 @@
 #include <airlight/tables/transmittance.hpp>
 
 #include "support/gl_objects.hpp"
+#include "support/uniforms.hpp"
 #include "world.hpp"
 
 // Where the light that single_scattering does not have comes from, on the CPU; shaders/tables.glsl says the
@@ -41,12 +42,14 @@ AirTables bake_tables(TableKind kind, const World& world);
 class GpuTables {
   public:
     explicit GpuTables(const AirTables& tables);
-    void bind(GLuint program) const;
+    void bind(const support::Uniforms& program) const;
 
     /// What the shaders are compiled with.
-    static std::string defines(TableKind kind);
+    std::string defines() const;
 
   private:
+    TableKind kind_;
+    glm::ivec4 scattering_size_;  // of the table of four dimensions
     std::vector<support::Texture> textures_;
 };
 

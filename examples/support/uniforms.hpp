@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 #include <airlight/atmosphere.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 
 namespace support {
@@ -17,6 +18,9 @@ class Uniforms {
 
     void set(const std::string& name, int value) const {
         glUniform1i(location(name), value);
+    }
+    void set(const std::string& name, const glm::ivec4& v) const {
+        glUniform4i(location(name), v.x, v.y, v.z, v.w);
     }
     void set(const std::string& name, float value) const {
         glUniform1f(location(name), value);

@@ -14,7 +14,6 @@ uniform airlight_Atmosphere atmosphere;
 uniform sampler3D table_0;
 uniform sampler3D table_1;
 uniform sampler3D table_2;
-uniform sampler3D table_3;
 
 #if TABLES == TABLES_TRANSMITTANCE
 // A flat table: its one slice.
