@@ -82,20 +82,28 @@ PathTraced view_of_pixel(const Panorama& panorama, int x, int y) {
     return view;
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begun) {
+    return std::chrono::duration<double>(Clock::now() - begun).count();
+}
+
+template <typename T>
+constexpr const char* scalar_name = sizeof(T) == 4 ? "float" : "double";
+
 /// Seconds for the light of every view, the best of a few rounds.
 template <typename Light>
 double seconds_of(const std::vector<PathTraced>& views, const Light& light) {
     double best = 1e30;
     double kept = 0;
     for (int round = 0; round < 7; ++round) {
-        const auto begun = std::chrono::steady_clock::now();
+        const auto begun = Clock::now();
         for (int repeat = 0; repeat < 20; ++repeat) {
             for (std::size_t i = 0; i < views.size(); i += 3) {  // three channels each
                 kept += static_cast<double>(light(views[i])[1]);
             }
         }
-        best =
-            std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count());
+        best = std::min(best, seconds_since(begun));
     }
     return kept < 0 ? 0 : best;
 }
@@ -148,11 +156,11 @@ void add(std::vector<Result>& results, const std::string& name, const Shape& sha
          const std::vector<PathTraced>& views) {
     using Scene = Nodes<16>;
     using Hook = airlight::TableHook<T, Shape>;
-    const std::string scalar = sizeof(T) == 4 ? "float" : "double";
+    const std::string scalar = scalar_name<T>;
     if (!settings.only.empty() && (name + " " + scalar).find(settings.only) == std::string::npos) {
         return;
     }
-    const auto begun = std::chrono::steady_clock::now();
+    const auto begun = Clock::now();
     airlight::ScatteringTables<T> tables;
     {
         const support::Rows rows(name + ", " + scalar);
@@ -163,7 +171,7 @@ void add(std::vector<Result>& results, const std::string& name, const Shape& sha
     result.scalar = scalar;
     result.size = std::to_string(shape.width()) + " x " + std::to_string(shape.height()) + " x " +
                   std::to_string(shape.depth());
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    result.seconds = seconds_since(begun);
     const std::size_t texels = tables.rayleigh.texels.size();
 
     const auto from_table = [&](const PathTraced& view, const auto& rayleigh, const auto& mie,
@@ -206,7 +214,7 @@ void add_without_table(std::vector<Result>& results, const Settings& settings,
     const airlight::Atmosphere<T> earth = airlight::earth<T>();
     Result result;
     result.method = "single_scattering, 8 nodes";
-    result.scalar = sizeof(T) == 4 ? "float" : "double";
+    result.scalar = scalar_name<T>;
     result.size = "none";
     result.orders = 1;
     judge<T>(result, settings, views, [&](const PathTraced& view) { return scattered_once<T>(earth, view); });
@@ -221,13 +229,13 @@ void add_light_from_all_sides(std::vector<Result>& results, const std::string& n
     const airlight::Atmosphere<T> earth = airlight::earth<T>();
     Result result;
     result.method = name;
-    result.scalar = sizeof(T) == 4 ? "float" : "double";
+    result.scalar = scalar_name<T>;
     result.size = size;
     result.orders = orders;
     result.numbers = numbers;
-    const auto begun = std::chrono::steady_clock::now();
+    const auto begun = Clock::now();
     const auto light = bake(earth);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    result.seconds = seconds_since(begun);
     judge<T>(result, settings, views, [&](const PathTraced& view) {
         return airlight::all_scattering<T>(earth, view.eye<T>(), view.direction<T>(), view.to_sun<T>(),
                                            airlight::no_surface<T>(), light)
@@ -341,16 +349,16 @@ std::vector<Panorama> read_panoramas() {
         std::snprintf(name, sizeof name, "/reference/data/sky_sun%+g.exr", sun);
         const support::ExrImage image = support::read_exr(std::string(STUDY_ROOT) + name);
         Panorama panorama{sun, image.width, image.height / 2, {}};
-        const auto channel = [&](const char* wanted) -> const std::vector<float>& {
-            for (const support::ExrChannel& found : image.channels) {
-                if (found.name == wanted) {
-                    return found.pixels;
-                }
+        panorama.pixels.resize(static_cast<std::size_t>(panorama.width * panorama.height));
+        for (int c = 0; c < 3; ++c) {
+            const std::string wanted(1, "RGB"[c]);
+            const support::ExrChannel* const channel = support::find_channel(image, wanted);
+            if (channel == nullptr) {
+                throw support::Error(std::string(name) + " has no channel " + wanted);
             }
-            throw support::Error(std::string(name) + " has no channel " + wanted);
-        };
-        for (std::size_t i = 0; i < static_cast<std::size_t>(panorama.width * panorama.height); ++i) {
-            panorama.pixels.emplace_back(channel("R")[i], channel("G")[i], channel("B")[i]);
+            for (std::size_t i = 0; i < panorama.pixels.size(); ++i) {
+                panorama.pixels[i][c] = channel->pixels[i];
+            }
         }
         out.push_back(std::move(panorama));
     }

@@ -23,6 +23,15 @@ Imf::Slice float_slice(const float* pixels, const Imath::Box2i& window) {
 
 }  // namespace
 
+const ExrChannel* find_channel(const ExrImage& image, const std::string& name) {
+    for (const ExrChannel& channel : image.channels) {
+        if (channel.name == name) {
+            return &channel;
+        }
+    }
+    return nullptr;
+}
+
 ExrImage read_exr(const std::filesystem::path& path) {
     read_file(path);  // for its message where the file cannot be read at all
     try {

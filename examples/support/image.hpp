@@ -41,6 +41,9 @@ struct ExrImage {
     bool half_float = false;  ///< written with 16 bits a number, which rounds them; else with 32
 };
 
+/// The image's channel of this name, or null.
+const ExrChannel* find_channel(const ExrImage& image, const std::string& name);
+
 /// All of these throw Error. The writers leave either a whole file or none.
 Picture read_picture_png(const std::filesystem::path& path);
 GreyImage read_grey_png(const std::filesystem::path& path);

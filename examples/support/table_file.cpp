@@ -193,12 +193,7 @@ StoredTable read_table(const std::filesystem::path& path, const TableDescription
     StoredTable table{wanted, std::vector<float>(number_count(wanted))};
     const std::size_t channels = wanted.channels.size();
     for (std::size_t c = 0; c < channels; ++c) {
-        const ExrChannel* found = nullptr;
-        for (const ExrChannel& channel : image.channels) {
-            if (channel.name == wanted.channels[c]) {
-                found = &channel;
-            }
-        }
+        const ExrChannel* const found = find_channel(image, wanted.channels[c]);
         if (found == nullptr || image.channels.size() != channels) {
             refuse(path, "has other channels than a table of " + wanted.kind,
                    "bake it anew with bake_tables");

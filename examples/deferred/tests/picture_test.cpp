@@ -20,12 +20,11 @@ class Layers {
     explicit Layers(const std::string& name) : image(support::read_exr(folder / (name + ".exr"))) {}
 
     const std::vector<float>& channel(const std::string& name) const {
-        for (const support::ExrChannel& candidate : image.channels) {
-            if (candidate.name == name) {
-                return candidate.pixels;
-            }
+        const support::ExrChannel* const found = support::find_channel(image, name);
+        if (found == nullptr) {
+            throw std::runtime_error("no channel " + name);
         }
-        throw std::runtime_error("no channel " + name);
+        return found->pixels;
     }
 
     float mean(const std::string& name, int first_row, int end_row) const {
