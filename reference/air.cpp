@@ -4,26 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/presets.hpp"
+
 namespace reference {
 namespace {
 
 using namespace airlight;
-
-struct Lorentzian : DefaultScene {
-    static constexpr int ozone = ozone_lorentzian;
-};
-struct NoOzone : DefaultScene {
-    static constexpr int ozone = ozone_none;
-};
-
-/// Calls with the scene of an absorbing layer.
-template <typename Call>
-auto with_ozone(int ozone, const Call& call) {
-    if (ozone == ozone_lorentzian) {
-        return call(Lorentzian{});
-    }
-    return ozone == ozone_none ? call(NoOzone{}) : call(DefaultScene{});
-}
 
 /// Cosine with the distribution of cornette_shanks_phase: Henyey and Greenstein's, of which each is kept with
 /// the chance that it lacks, (1 + x^2) / 2.
@@ -133,7 +119,7 @@ double Air::to_space(const Vector& position, const Vector& direction) const {
     if (behind_planet(ground_radius(), altitude, mu)) {
         return 0;
     }
-    return with_ozone(ozone_, [&](auto scene) {
+    return support::with_ozone(ozone_, [&](auto scene) {
         const Column<double> air = column_to_space<double, decltype(scene)>(atmosphere_, altitude, mu);
         return passed(air.rayleigh, air.mie, air.ozone);
     });
@@ -143,7 +129,7 @@ double Air::along(const Vector& position, const Vector& direction, double distan
     const double radius = glm::length(position);
     const double altitude = std::clamp(radius - ground_radius(), 0.0, atmosphere_.top_altitude);
     const double mu = std::clamp(glm::dot(position, direction) / radius, -1.0, 1.0);
-    return with_ozone(ozone_, [&](auto scene) {
+    return support::with_ozone(ozone_, [&](auto scene) {
         const Column<double> air = column<double, decltype(scene)>(atmosphere_, altitude, mu, distance);
         return passed(air.rayleigh, air.mie, air.ozone);
     });

@@ -3,6 +3,7 @@
 #include <baselines/baselines.hpp>
 
 #include "support/parallel.hpp"
+#include "support/presets.hpp"
 #include "worlds.hpp"
 
 namespace study {
@@ -10,11 +11,6 @@ namespace {
 
 using airlight::vec2;
 using airlight::vec3;
-
-template <int Ozone>
-struct WithOzone : airlight::DefaultScene {
-    static constexpr int ozone = Ozone;
-};
 
 template <typename Texel>
 Texels filled(int width, int height, const Texel& texel) {
@@ -28,24 +24,11 @@ Texels filled(int width, int height, const Texel& texel) {
     return out;
 }
 
-/// Calls make(scene) with the scene that has the world's ozone.
-template <typename Make>
-Texels for_ozone(int ozone, const Make& make) {
-    switch (ozone) {
-        case airlight::ozone_tent:
-            return make(WithOzone<airlight::ozone_tent>{});
-        case airlight::ozone_lorentzian:
-            return make(WithOzone<airlight::ozone_lorentzian>{});
-        default:
-            return make(WithOzone<airlight::ozone_none>{});
-    }
-}
-
 template <typename Make>
 std::vector<Texels> for_all_worlds(const Make& make) {
     std::vector<Texels> out;
     for (const World& world : worlds()) {
-        out.push_back(for_ozone(world.ozone, [&](auto scene) { return make(world.air, scene); }));
+        out.push_back(support::with_ozone(world.ozone, [&](auto scene) { return make(world.air, scene); }));
     }
     return out;
 }

@@ -2,7 +2,6 @@
 
 // From a preset, known when the program runs, to the scene that tables are compiled for.
 
-#include <airlight/scene.hpp>
 #include <airlight/tables/table.hpp>
 #include <vector>
 
@@ -11,23 +10,11 @@
 
 namespace bake_tables {
 
-template <int Profile>
-struct SceneWithOzone : airlight::DefaultScene {
-    static constexpr int ozone = Profile;
-};
-
 /// Calls bake(scene, atmosphere in T).
 template <typename T, typename Bake>
-std::vector<T> by_scene(const support::Preset& preset, const Bake& bake) {
+auto by_scene(const support::Preset& preset, const Bake& bake) {
     const airlight::Atmosphere<T> air = support::converted<T>(preset.air);
-    switch (preset.ozone) {
-        case airlight::ozone_tent:
-            return bake(SceneWithOzone<airlight::ozone_tent>{}, air);
-        case airlight::ozone_lorentzian:
-            return bake(SceneWithOzone<airlight::ozone_lorentzian>{}, air);
-        default:
-            return bake(SceneWithOzone<airlight::ozone_none>{}, air);
-    }
+    return support::with_ozone(preset.ozone, [&](auto scene) { return bake(scene, air); });
 }
 
 /// Gives a kind its bakes on the CPU: bake(scene, atmosphere, request, rows), for float and double.
@@ -75,7 +62,6 @@ void compare_each(Kind& kind, const Compare& compare) {
                 Draws draws(n, choice.sun_elevation);
                 compare(scene, air, request, look_up, draws, all);
             }
-            return std::vector<double>();
         });
         return all;
     };

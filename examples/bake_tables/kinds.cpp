@@ -30,10 +30,8 @@ const Kind& kind_named(const std::string& name) {
 }
 
 support::TableDescription describe(const Kind& kind, const Request& request) {
-    support::TableWorld world;
-    by_scene<double>(request.preset, [&](auto scene, const airlight::Atmosphere<double>& air) {
-        world = support::table_world<decltype(scene)>(air);
-        return std::vector<double>();
+    support::TableWorld world = by_scene<double>(request.preset, [](auto scene, const auto& air) {
+        return support::table_world<decltype(scene)>(air);
     });
     if (kind.has_orders) {
         world["orders"] = std::to_string(request.orders);

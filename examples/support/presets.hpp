@@ -17,6 +17,24 @@ struct Preset {
     int ozone;  ///< profile of the absorbing layer, airlight::ozone_tent and so on
 };
 
+template <int Profile>
+struct SceneWithOzone : airlight::DefaultScene {
+    static constexpr int ozone = Profile;
+};
+
+/// Calls call(scene) with the scene that has this profile of the absorbing layer.
+template <typename Call>
+auto with_ozone(int ozone, const Call& call) {
+    switch (ozone) {
+        case airlight::ozone_tent:
+            return call(SceneWithOzone<airlight::ozone_tent>{});
+        case airlight::ozone_lorentzian:
+            return call(SceneWithOzone<airlight::ozone_lorentzian>{});
+        default:
+            return call(SceneWithOzone<airlight::ozone_none>{});
+    }
+}
+
 /// The preset's numbers in another scalar.
 template <typename T>
 airlight::Atmosphere<T> converted(const airlight::Atmosphere<double>& a) {
