@@ -9,6 +9,16 @@
 
 namespace airlight_test {
 
+/// Thick, hazy and small, as Titan is.
+inline airlight::Atmosphere<double> hazy_titan() {
+    airlight::Atmosphere<double> air = airlight::earth<double>();
+    air.ground_radius = 2575e3;
+    air.top_altitude = 400e3;
+    air.rayleigh_scale_height = air.mie_scale_height = 40e3;
+    air.mie_scattering = airlight::vec3<double>(1e-5, 2e-5, 4e-5);
+    return air;
+}
+
 struct TableWorld {
     const char* name;
     airlight::Atmosphere<double> air;

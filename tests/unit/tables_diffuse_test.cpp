@@ -12,6 +12,7 @@
 #include "samplers.hpp"
 #include "scenes.hpp"
 #include "story.hpp"
+#include "table_worlds.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
@@ -95,11 +96,7 @@ TEST_CASE("more orders change little, and the last one stands for the rest") {
 }
 
 TEST_CASE_TEMPLATE("tables of any air are finite and their light never negative", T, float, double) {
-    Atmosphere<T> titan = earth<T>();  // thick, hazy and small
-    titan.ground_radius = T(2575e3);
-    titan.top_altitude = T(400e3);
-    titan.rayleigh_scale_height = titan.mie_scale_height = T(40e3);
-    titan.mie_scattering = vec3<T>(T(1e-5), T(2e-5), T(4e-5));
+    Atmosphere<T> titan = converted<T>(hazy_titan());
     titan.ground_albedo = vec3<T>(T(1));
     Atmosphere<T> vacuum = earth<T>();
     vacuum.rayleigh_scattering = vacuum.mie_scattering = vacuum.mie_absorption = vacuum.ozone_absorption =

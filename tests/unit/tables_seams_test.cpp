@@ -7,24 +7,14 @@
 #include <airlight/tables/diffuse.hpp>
 
 #include "angles.hpp"
-#include "converted.hpp"
 #include "scenes.hpp"
 #include "story.hpp"
+#include "table_worlds.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
 
 namespace {
-
-// Thick, hazy and small.
-Atmosphere<double> titan() {
-    Atmosphere<double> air = earth<double>();
-    air.ground_radius = 2575e3;
-    air.top_altitude = 400e3;
-    air.rayleigh_scale_height = air.mie_scale_height = 40e3;
-    air.mie_scattering = vec3<double>(1e-5, 2e-5, 4e-5);
-    return air;
-}
 
 // The sky through a table in float, as a shader has it, from `low` to `high` degrees.
 std::vector<double> scan(const DiffuseTable<float>& table, float altitude, double sun, double low,
@@ -56,7 +46,7 @@ double largest_step(const std::vector<double>& values) {
 TEST_SUITE_BEGIN("tables_seams");
 
 TEST_CASE("no seam, stripe or speck across the sky through a table, on Earth, thin Mars and dense Titan") {
-    for (const Atmosphere<double>& air : {earth<double>(), mars<double>(), titan()}) {
+    for (const Atmosphere<double>& air : {earth<double>(), mars<double>(), hazy_titan()}) {
         const Atmosphere<float> planet = airlight_test::converted<float>(air);
         const DiffuseTable<float> table = bake_diffuse_table<float, Nodes<5>>(planet, 32, 8, 3);
         for (const double sun : {40.0, 2.0, -4.0, -10.0}) {
