@@ -4036,10 +4036,10 @@ airlight_RayLegs airlight_ray_legs(airlight_Atmosphere atmosphere, airlight_LitR
     airlight_RayPoint turned = airlight_ray_point(atmosphere, ray, turn);
     airlight_RayPoint start = turned;
     airlight_RayPoint last = turned;
-    if (turn > 0.0) {
+    if (ray.air.along < 0.0) {
         start = airlight_ray_point(atmosphere, ray, 0.0);
     }
-    if (turn < ray.air.extent) {
+    if (ray.air.along + ray.air.extent > 0.0) {
         last = airlight_ray_point(atmosphere, ray, ray.air.extent);
     }
     return airlight_RayLegs(turn, start, turned, last);

@@ -30,10 +30,10 @@ RayLegs<T> ray_legs(const Atmosphere<T>& atmosphere, const LitRay<T>& ray) {
     const RayPoint<T> turned = ray_point<T, Scene>(atmosphere, ray, turn);
     RayPoint<T> start = turned;
     RayPoint<T> last = turned;
-    if (turn > T(0)) {
+    if (ray.air.along < T(0)) {
         start = ray_point<T, Scene>(atmosphere, ray, T(0));
     }
-    if (turn < ray.air.extent) {
+    if (ray.air.along + ray.air.extent > T(0)) {
         last = ray_point<T, Scene>(atmosphere, ray, ray.air.extent);
     }
     return RayLegs<T>{turn, start, turned, last};
