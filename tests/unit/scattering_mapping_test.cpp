@@ -50,6 +50,28 @@ TEST_CASE_TEMPLATE("the improved table has the horizon in its middle and half of
     CHECK_WITHIN(compare_ulp("inscatter_uvw.y", {}, near_horizon.y, 0.5L + (0.5L + 0.1L * 31) / 64), 4.0L);
 }
 
+TEST_CASE_TEMPLATE("below the ground a table of scattered light is read at the ground", T, float, double) {
+    // Contradiction 8 of the sources: the height is clamped in one place, mirrored in another.
+    const Atmosphere<T> air = earth<T>();
+    const T lowest = lowest_sun_cosine(air);
+    for (const T depth : {T(1), T(1e3), T(6.36e6), T(1e9)}) {
+        for (const T mu : {T(-1), T(-0.3L), T(0), T(0.2L), T(1)}) {
+            const bool ground = mu < T(0);
+            const auto lookup = [&](T altitude) {
+                return scattering_lookup(air, altitude, mu, T(0.4L), T(0.1L), ground, lowest, 8, 32, 64, 32);
+            };
+            // Exact: the same altitude after clamping.
+            CHECK(linear_inscatter_uvw(air, -depth, mu, T(0.4L), 32, 64, 32) ==
+                  linear_inscatter_uvw(air, T(0), mu, T(0.4L), 32, 64, 32));
+            CHECK(inscatter_uvw(air, -depth, mu, T(0.4L), ground, lowest, 32, 64, 32) ==
+                  inscatter_uvw(air, T(0), mu, T(0.4L), ground, lowest, 32, 64, 32));
+            CHECK(lookup(-depth).first == lookup(T(0)).first);
+            CHECK(lookup(-depth).second == lookup(T(0)).second);
+            CHECK(lookup(-depth).weight == lookup(T(0)).weight);
+        }
+    }
+}
+
 TEST_CASE_TEMPLATE("the lowest sun is 20 degrees down on Earth, and any on a world that is mostly air", T,
                    float, double) {
     // cos d = 6360 / 6460: sin 2 d = 0.3453.

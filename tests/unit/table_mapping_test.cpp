@@ -51,6 +51,20 @@ TEST_CASE_TEMPLATE("an extinction table has altitude along x and the angle along
     CHECK(middle.y == T(0.5));
 }
 
+TEST_CASE_TEMPLATE(
+    "an extinction table is even in the cosine: a quarter of the way down is 60 degrees, not 45", T, float,
+    double) {
+    // Contradiction 11 of the sources: a quarter of the way down a table even in the angle has 45 degrees,
+    // and so has the direction (1 - |a|, a) at a = 1/2.
+    const Atmosphere<T> air = earth<T>();
+    const vec2<T> quarter = extinction_uv(air, T(0), T(0.5), 65, 65);
+    CHECK(quarter.y == T(16.5L) / T(65));  // exact: 1/2 + 64 / 4, and one quotient on both sides
+    const T mu = extinction_parameters(air, quarter, 65, 65).mu;
+    CHECK(std::fabs(mu - T(0.5)) <=
+          T(4 * 65) * std::numeric_limits<T>::epsilon());  // 4 roundoffs of the size
+    CHECK(std::fabs(mu - std::sqrt(T(0.5))) > T(0.2L));
+}
+
 TEST_CASE_TEMPLATE("below the ground every table is read at the ground", T, float, double) {
     // Contradiction 8 of the sources: clamped in one place, mirrored in another.
     const Atmosphere<T> air = earth<T>();
