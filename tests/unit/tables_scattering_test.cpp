@@ -196,6 +196,27 @@ TEST_CASE(
     CHECK(dusk < -0.10);  // at sunset it matters
 }
 
+TEST_CASE("an eye that climbs from slice to slice of the three-dimensional table sees no step") {
+    const Atmosphere<double> planet = earth<double>();
+    const InscatterShape<double> shape = small_inscatter(planet);
+    const ScatteringTables<double> tables = bake_scattering(planet, shape, 1);
+    for (int slice = 1; slice + 1 < shape.altitudes; ++slice) {
+        const double share = double(slice) / (shape.altitudes - 1);
+        const double altitude = share * share * planet.top_altitude;  // the mapping's square root
+        for (const double mu : {0.2, 0.6, 1.0}) {
+            const auto light = [&](double above) {
+                return shape.read(tables.rayleigh, altitude + above, mu, 0.5, 0.5 * mu, false).y;
+            };
+            const double below = light(-1e-3);
+            const double beyond = light(1e-3);
+            CHECK(below > 0);
+            // Modelling: 2 mm are 1e-7 of a texel, and the slice below is up to 30 times as bright.
+            CHECK(std::fabs(beyond / below - 1) <= 3e-6);
+            CHECK(light(-1000) > beyond);  // and yet the light does change
+        }
+    }
+}
+
 TEST_CASE("the three-dimensional table with all orders, against the path tracer") {
     InscatterShape<float> shape{earth<float>()};
     shape.views = 64;
