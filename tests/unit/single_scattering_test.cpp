@@ -105,6 +105,35 @@ TEST_CASE_TEMPLATE("the scene chooses the aerosol's phase function", T, float, d
           march<DefaultScene>(earth<T>(), view, 8).transmittance);
 }
 
+TEST_CASE_TEMPLATE("phase functions are applied once, after the march, to molecules and aerosol apart", T,
+                   float, double, long double) {
+    // The aerosol's light is in proportion to its phase function; the rest is the light of the same air with
+    // an aerosol that only absorbs.
+    Random random(147);
+    Worst worst;
+    int lit = 0;
+    Atmosphere<T> sharp = earth<T>();
+    sharp.mie_g = T(0.76L);
+    Atmosphere<T> soft = sharp;
+    soft.mie_g = T(0.25L);
+    const Atmosphere<T> dark = without_aerosol_glow(sharp);
+    for (int i = 0; i < 1000; ++i) {
+        const View<T> view = random_view<T>(random);
+        const T molecules = march<DefaultScene>(dark, view, 16).radiance.y;
+        const T with_sharp = march<DefaultScene>(sharp, view, 16).radiance.y;
+        const T with_soft = march<DefaultScene>(soft, view, 16).radiance.y;
+        const T cosine = glm::clamp(dot_product(view.direction, view.to_sun), T(-1), T(1));
+        const long double ratio =
+            static_cast<long double>(mie_phase<T>(cosine, T(0.76L))) / mie_phase<T>(cosine, T(0.25L));
+        const long double expected = (static_cast<long double>(with_soft) - molecules) * ratio;
+        worst.add(compare_roundoffs("single_scattering_marched.radiance", {{"cosine", cosine}},
+                                    with_sharp - molecules, expected, with_sharp + with_soft * ratio));
+        lit += with_sharp > molecules ? 1 : 0;
+    }
+    CHECK(lit > 100);
+    CHECK_WORST(worst, 4.0L);  // depths are the same numbers: two products and a sum round (measured: 0.92)
+}
+
 TEST_CASE_TEMPLATE("no ray scatters more than it extinguishes", T, float, double, long double) {
     // Energy: what is scattered into the ray, over the phase function, is at most 1 - transmittance. The
     // midpoint rule keeps this exactly, because x <= 2 sinh(x / 2); rounding of 1 - T and of the sums is what
