@@ -119,6 +119,28 @@ TEST_CASE_TEMPLATE("three Rayleigh triples are in circulation, each under its ow
     CHECK(leenman_earth<T>().rayleigh_scattering == vec3<T>(T(5.5e-6L), T(13.0e-6L), T(22.4e-6L)));
 }
 
+TEST_CASE_TEMPLATE("the presets hold the numbers that their sources print", T, float, double, long double) {
+    // Exact: the literals. What a source leaves to its user is not here.
+    const auto even = [](long double x) { return vec3<T>(T(x)); };
+    const Atmosphere<T> cs562 = cs562_earth<T>();
+    CHECK(cs562.mie_scattering == even(20e-6L));  // 0.02 per km
+    CHECK(cs562.mie_g == T(0.76L));
+    const Atmosphere<T> elek = elek_earth<T>();
+    CHECK(elek.mie_scattering == even(2e-6L));
+    CHECK(elek.rayleigh_scale_height == T(8000));
+    CHECK(elek.mie_scale_height == T(1200));
+    const Atmosphere<T> leenman = leenman_earth<T>();
+    CHECK(leenman.ground_radius == T(6371e3L));
+    CHECK(leenman.ground_radius + leenman.top_altitude == T(6471e3L));  // exact: below 2^24
+    CHECK(leenman.mie_scattering == even(21e-6L));
+    CHECK(leenman.mie_g == T(0.7L));
+    CHECK(leenman.rayleigh_scale_height == T(8e3L));
+    CHECK(leenman.mie_scale_height == T(1.2e3L));
+    CHECK(leenman.ozone_absorption == vec3<T>(T(2.04e-5L), T(4.97e-5L), T(1.95e-6L)));
+    CHECK(leenman.ozone_altitude == T(30e3L));
+    CHECK(leenman.ozone_half_width == T(4e3L));
+}
+
 TEST_CASE("the default Earth's triple is 1.24062e-6 / m at 1 um, at 680, 550 and 440 nm") {
     const double wavelengths[] = {0.68, 0.55, 0.44};
     for (int i = 0; i < 3; ++i) {

@@ -51,6 +51,28 @@ TEST_CASE_TEMPLATE("the refractive index enters squared: twice the refractivity 
                  8.0L);  // two of 4 ulp
 }
 
+TEST_CASE_TEMPLATE(
+    "by way of the polarisability: 4 pi N alpha / lambda^4, in air thinner than it was measured in", T, float,
+    double, long double) {
+    // Sources that keep the air measured, N_e, apart from the air there, N: alpha = 2 pi^2 (n^2 - 1)^2 /
+    // (3 N_e^2). The same molecules k times as dense refract k times as much, to (2 + k x) / (2 + x) of it.
+    const long double measured_density = 2.5e7L;
+    const T refractivity = T(0x1p-12L);
+    const long double x = refractivity;
+    const long double contrast = x * (2 + x);
+    const long double alpha = 2 * pi<long double> * pi<long double> * contrast * contrast /
+                              (3 * measured_density * measured_density);
+    for (const long double k : {1.0L, 0.5L, 0.0625L}) {  // powers of two: exact inputs
+        const T density = T(k * measured_density);
+        const long double squared = (2 + k * x) / (2 + x) * ((2 + k * x) / (2 + x));
+        const long double expected =
+            4 * pi<long double> * static_cast<long double>(density) * alpha / 0.0625L * squared;
+        const T got = rayleigh_coefficient(T(k) * refractivity, density, T(0.5));
+        CHECK_WITHIN(compare_ulp("rayleigh_coefficient", {{"k", k}}, got, expected),
+                     8.0L + 8 * table_rounding<T>());  // the docstring's; the reference rounds as often
+    }
+}
+
 TEST_CASE_TEMPLATE("blue light scatters as wavelength to the minus four", T, float, double, long double) {
     for (const T wavelength : {T(0.44L), T(0.55L), T(0.68L)}) {
         // Exact: halving the wavelength changes only exponents.
