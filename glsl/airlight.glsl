@@ -1698,7 +1698,9 @@ airlight_Occultation airlight_occultation_of_disc(float cos_between, float sin_b
                                                   float sin_sphere, float sin_radius) {
     float sine = sin_between * cos_sphere - cos_between * sin_sphere;
     float cosine = cos_between * cos_sphere + sin_between * sin_sphere;
-    if (cosine <= 0.0 || sin_sphere <= 0.0) {
+    // A quarter turn and more outside the edge; a quarter turn inside it, at the nadir of an eye on the
+    // ground, the cosine is 0 too.
+    if (sin_sphere <= 0.0 || (cosine <= 0.0 && sine >= 0.0)) {
         return airlight_Occultation(1.0, 0.0);
     }
     if (sin_radius <= 0.0) {

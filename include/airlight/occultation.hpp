@@ -125,7 +125,9 @@ template <typename T>
 Occultation<T> occultation_of_disc(T cos_between, T sin_between, T cos_sphere, T sin_sphere, T sin_radius) {
     const T sine = sin_between * cos_sphere - cos_between * sin_sphere;
     const T cosine = cos_between * cos_sphere + sin_between * sin_sphere;
-    if (cosine <= T(0) || sin_sphere <= T(0)) {
+    // A quarter turn and more outside the edge; a quarter turn inside it, at the nadir of an eye on the
+    // ground, the cosine is 0 too.
+    if (sin_sphere <= T(0) || (cosine <= T(0) && sine >= T(0))) {
         return Occultation<T>{T(1), T(0)};
     }
     if (sin_radius <= T(0)) {

@@ -190,6 +190,29 @@ TEST_CASE_TEMPLATE("the sun's centre on the horizon is half a sun, from any alti
                  0.01L);  // 0.00465 / tan(10.08 degrees), by hand
 }
 
+TEST_CASE_TEMPLATE("on the ground the nadir is dark and the zenith bright, to the last quarter turn", T,
+                   float, double, long double) {
+    const T radius = T(6.36e6L);
+    const vec3<T> up(T(0), T(0), T(1));
+    // Exact, all of them: the quarter turns between the edge and both poles have a cosine of 0.
+    for (const T altitude : {T(-5), T(0)}) {
+        for (const T sun : {T(0.00465L), T(0)}) {
+            const Occultation<T> nadir = occultation_by_ground(radius, altitude, T(-1), sun);
+            CHECK(nadir.gap <= T(-1));
+            CHECK(visible_share(nadir) == T(0));
+            const Occultation<T> zenith = occultation_by_ground(radius, altitude, T(1), sun);
+            CHECK(zenith.gap >= T(1));
+            CHECK(visible_share(zenith) == T(1));
+            const Viewpoint<T> eye = {altitude, up};
+            CHECK(PastGround<T>{radius, eye, -up, sun, T(0.5)}(vec3<T>(T(0))) == T(0));
+            CHECK(PastGround<T>{radius, eye, up, sun, T(0.5)}(vec3<T>(T(0))) == T(1));
+        }
+    }
+    // A sphere of no size hides nothing, wherever it is.
+    CHECK(visible_share(occultation_of_disc(T(1), T(0), T(1), T(0), T(0.00465L))) == T(1));
+    CHECK(visible_share(occultation_of_disc(T(-1), T(0), T(1), T(0), T(0.00465L))) == T(1));
+}
+
 TEST_CASE_TEMPLATE("the sun's centre is hidden where behind_planet says so", T, float, double) {
     Random random(312);
     int hidden = 0;
