@@ -1587,8 +1587,9 @@ airlight_Column airlight_column_marched(airlight_Atmosphere atmosphere, float al
 
 // Area of a segment of the unit circle over the cube of its half chord.
 //
-//     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2),   pi / 2 for half a circle, 2 / 3 for a thin
-//     segment
+//     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2)
+//
+// It is pi / 2 for half a circle and 2 / 3 for a thin segment.
 //
 // The quotient is smooth where the area itself starts as a power 3/2, and needs no inverse cosine.
 //
@@ -1730,10 +1731,8 @@ airlight_Occultation airlight_occultation_by_ground(float ground_radius, float a
 
 // How the sun's disc stands to a sphere, a moon for example.
 //
-// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1]
-//           of
-// the
-//           sun's angular radius.
+// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1] of
+//           the sun's angular radius.
 // Domain:   every centre whose square is finite; radius >= 0; sin_radius in [0, 1].
 // Accuracy: that of occultation_of_disc.
 // Errors:   none; inside the sphere it is dark.
@@ -5696,12 +5695,11 @@ vec3 airlight_sun_irradiance(airlight_Atmosphere atmosphere, airlight_Viewpoint 
 // What the eye sees of a surface at a distance: its light dimmed by the air between, and that air's own.
 //
 // The air's light is what it scatters up to the surface and no further, so aerosol in front of a near
-// wall hardly glows, and no light comes through it from behind.
+// wall hardly glows, and no light comes through it from behind. It is light scattered once: for every order
+// give compose what all_scattering returns.
 //
-// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; surface_radiance
-//           and
-// result
-//           [1/sr] per unit of solar irradiance above the air.
+// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; surface_radiance and
+//           result [1/sr] per unit of solar irradiance above the air.
 // Shape:    surface_radiance and the result are spectra.
 // Domain:   that of single_scattering; surface_radiance >= 0.
 // Accuracy: that of single_scattering.
@@ -5760,12 +5758,10 @@ vec3 airlight_sky_with_sun(airlight_Atmosphere atmosphere, airlight_Viewpoint ey
 }
 
 // Radiance of the sky in a direction, for a pixel that shows no surface: light scattered once, and the
-// sun.
+// sun. For light of every order give sky_with_sun what all_scattering returns.
 //
 // Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result [1/sr] per
-//           unit
-// of
-//           solar irradiance above the air.
+//           unit of solar irradiance above the air.
 // Shape:    the result is a spectrum.
 // Domain:   that of single_scattering and sun_radiance.
 // Accuracy: that of single_scattering and sun_radiance.

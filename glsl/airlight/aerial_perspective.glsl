@@ -31,12 +31,11 @@ vec3 airlight_sun_irradiance(airlight_Atmosphere atmosphere, airlight_Viewpoint 
 // What the eye sees of a surface at a distance: its light dimmed by the air between, and that air's own.
 //
 // The air's light is what it scatters up to the surface and no further, so aerosol in front of a near
-// wall hardly glows, and no light comes through it from behind.
+// wall hardly glows, and no light comes through it from behind. It is light scattered once: for every order
+// give compose what all_scattering returns.
 //
-// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; surface_radiance
-//           and
-// result
-//           [1/sr] per unit of solar irradiance above the air.
+// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; surface_radiance and
+//           result [1/sr] per unit of solar irradiance above the air.
 // Shape:    surface_radiance and the result are spectra.
 // Domain:   that of single_scattering; surface_radiance >= 0.
 // Accuracy: that of single_scattering.

@@ -9,8 +9,9 @@
 
 // Area of a segment of the unit circle over the cube of its half chord.
 //
-//     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2),   pi / 2 for half a circle, 2 / 3 for a thin
-//     segment
+//     (acos(t) - t sqrt(1 - t^2)) / (1 - t^2)^(3/2)
+//
+// It is pi / 2 for half a circle and 2 / 3 for a thin segment.
 //
 // The quotient is smooth where the area itself starts as a power 3/2, and needs no inverse cosine.
 //
@@ -152,10 +153,8 @@ airlight_Occultation airlight_occultation_by_ground(float ground_radius, float a
 
 // How the sun's disc stands to a sphere, a moon for example.
 //
-// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1]
-//           of
-// the
-//           sun's angular radius.
+// Units:    centre of the sphere from the eye, and its radius [L]; to_sun a unit vector; sin_radius [1] of
+//           the sun's angular radius.
 // Domain:   every centre whose square is finite; radius >= 0; sin_radius in [0, 1].
 // Accuracy: that of occultation_of_disc.
 // Errors:   none; inside the sphere it is dark.

@@ -34,12 +34,10 @@ vec3<T> sky_with_sun(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, c
 }
 
 /// Radiance of the sky in a direction, for a pixel that shows no surface: light scattered once, and the
-/// sun.
+/// sun. For light of every order give sky_with_sun what all_scattering returns.
 ///
 /// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result [1/sr] per
-///           unit
-/// of
-///           solar irradiance above the air.
+///           unit of solar irradiance above the air.
 /// Shape:    the result is a spectrum.
 /// Domain:   that of single_scattering and sun_radiance.
 /// Accuracy: that of single_scattering and sun_radiance.
