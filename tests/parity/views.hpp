@@ -8,6 +8,11 @@
 
 namespace parity {
 
+/// Why rows of view rays leave inputs out.
+inline constexpr const char* grazing =
+    "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end points "
+    "where rounding decides how long the ray or its shadow is";
+
 /// Atmosphere, eye, direction, sun, distance.
 inline auto view(Draw& draw) {
     const auto atmosphere = draw.atmosphere();

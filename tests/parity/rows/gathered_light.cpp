@@ -2,12 +2,9 @@
 // row.hpp first: see bounded.hpp.
 #include <airlight/gathered_light.hpp>
 
-namespace parity {
+#include "../views.hpp"
 
-static const char* const grazing =
-    "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end points "
-    "where "
-    "rounding decides how long the ray or its shadow is";
+namespace parity {
 
 static const bool incoming_light_row =
     row("incoming_light")

@@ -6,11 +6,6 @@
 
 namespace parity {
 
-static const char* const grazing =
-    "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end points "
-    "where "
-    "rounding decides how long the ray or its shadow is";
-
 static const bool node_transmittance_to_eye_row =
     row("node_transmittance_to_eye")
         .inputs([](Draw& draw) {

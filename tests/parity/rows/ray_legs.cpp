@@ -6,10 +6,6 @@
 
 namespace parity {
 
-static const char* const grazing =
-    "rays that graze the top of the air or the ground exactly are end points where rounding decides how long "
-    "the ray is";
-
 static const bool ray_legs_row =
     row("ray_legs")
         .inputs([](Draw& draw) {

@@ -64,10 +64,7 @@ static const bool piece_map_row =
             return std::make_tuple(atmosphere, ray, climbs ? from : to, climbs ? to : from, low_along,
                                    t - begin, climbs ? 1.0F : -1.0F);
         })
-        .left_out(
-            0.35, 0.1,
-            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
-            "points where rounding decides how long the ray or its shadow is")
+        .left_out(0.35, 0.1, grazing)
         .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& low, const auto& high,
                 auto low_along, auto extent, auto outwards) {
             using R = decltype(run);
@@ -91,10 +88,7 @@ static auto node_of_ray(Draw& draw) {
 static const bool node_transmittance_row =
     row("node_transmittance")
         .inputs(node_of_ray)
-        .left_out(
-            0.35, 0.1,
-            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
-            "points where rounding decides how long the ray or its shadow is")
+        .left_out(0.35, 0.1, grazing)
         .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& offset, auto outwards,
                 auto altitude, auto along, const auto& density) {
             using R = decltype(run);
@@ -106,10 +100,7 @@ static const bool node_transmittance_row =
 static const bool node_radiance_row =
     row("node_radiance")
         .inputs(node_of_ray)
-        .left_out(
-            0.35, 0.1,
-            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
-            "points where rounding decides how long the ray or its shadow is")
+        .left_out(0.35, 0.1, grazing)
         .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& offset, auto outwards,
                 auto altitude, auto along, const auto& density) {
             using R = decltype(run);
@@ -138,10 +129,7 @@ static const bool single_scattering_row =
     row("single_scattering")
         .inputs(view)
         .count(4096)
-        .left_out(
-            0.35, 0.1,
-            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
-            "points where rounding decides how long the ray or its shadow is")
+        .left_out(0.35, 0.1, grazing)
         .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
                 auto distance) {
             using R = decltype(run);
@@ -201,10 +189,7 @@ static const bool sky_radiance_row =
             return std::make_tuple(atmosphere, eye, direction, to_sun, sun);
         })
         .count(4096)
-        .left_out(
-            0.35, 0.1,
-            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
-            "points where rounding decides how long the ray or its shadow is")
+        .left_out(0.35, 0.1, grazing)
         .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
                 const auto& sun) {
             using R = decltype(run);
@@ -219,10 +204,7 @@ static const bool aerial_perspective_row =
             return std::tuple_cat(view(draw), std::make_tuple(draw.spectrum(1e-6F, 1e3F)));
         })
         .count(4096)
-        .left_out(
-            0.35, 0.1,
-            "rays that graze the top of the air exactly, and suns exactly behind or across the ray, are end "
-            "points where rounding decides how long the ray or its shadow is")
+        .left_out(0.35, 0.1, grazing)
         .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
                 auto distance, const auto& surface) {
             using R = decltype(run);
