@@ -12,6 +12,7 @@
 #include "bounded.hpp"
 // Bounded first: the headers below look its overloads up.
 #include <airlight/scene.hpp>
+#include <airlight/transmittance_table.hpp>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -47,11 +48,19 @@ struct TestHooks {
     using Visibility = PartlyLit;
     using MultipleScattering = UnevenLight;
     using GroundIrradiance = LitGround;
+    using FroxelTable = UnevenFroxels;
+    using SlantTable = UnevenSlants;
+    template <typename Scene>
+    using TransmittanceToSpace = EveningLight;
 };
 struct DefaultHooks {
     using Visibility = airlight::AlwaysLit;
     using MultipleScattering = airlight::NoDiffuseLight;
     using GroundIrradiance = airlight::NoIrradiance;
+    using FroxelTable = airlight::NoFroxels;
+    using SlantTable = airlight::NoSlantTable;
+    template <typename Scene>
+    using TransmittanceToSpace = airlight::ComputedTransmittance<Scene>;
 };
 
 /// What a row's call may ask about the run it is part of: Run::T, Run::Scene, and the hooks.
@@ -62,6 +71,9 @@ struct Run {
     typename Hooks::Visibility visibility{};
     typename Hooks::MultipleScattering multiple_scattering{};
     typename Hooks::GroundIrradiance ground_irradiance{};
+    typename Hooks::FroxelTable froxel_table{};
+    typename Hooks::SlantTable slant_table{};
+    typename Hooks::template TransmittanceToSpace<SceneType> transmittance_to_space{};
 };
 
 /// A row without its types, as the test program handles it.

@@ -4,6 +4,7 @@
 // hooks that both sides compile.
 
 #include <airlight/diffuse_light.hpp>
+#include <airlight/froxel_table.hpp>
 #include <airlight/gathered_light.hpp>
 #include <airlight/scene.hpp>
 #include <array>
@@ -118,6 +119,36 @@ struct StandInTable {
 };
 
 /// The same hooks for a shader, by hand: they play the part of the user's own code. A macro is one line:
+/// Froxels whose light and depth grow with the distance, by no law that the look-up knows.
+struct UnevenFroxels {
+    template <typename T>
+    airlight::FroxelAir<T> operator()(const airlight::vec3<T>& uvw) const {
+        const T light = T(1) + T(0.5) * uvw.x + T(0.25) * uvw.y;
+        const T far = uvw.z * (T(0.5) + uvw.z);
+        return airlight::FroxelAir<T>{
+            airlight::vec3<T>(T(0.5) * far, far, T(2) * far) * light,
+            airlight::vec3<T>(T(0.25) * uvw.z, uvw.z, T(4) * uvw.z) * light,
+        };
+    }
+};
+
+/// Slants a little more and a little less than guessed.
+struct UnevenSlants {
+    template <typename T>
+    airlight::vec2<T> operator()(const airlight::vec2<T>& uv) const {
+        return airlight::vec2<T>(T(0.03125) * uv.x - T(0.0625) * uv.y, T(0.0625) * uv.x * uv.y);
+    }
+};
+
+/// Light to space that rises with the sun and does not ask the atmosphere.
+struct EveningLight {
+    template <typename T>
+    airlight::vec3<T> operator()(const airlight::Atmosphere<T>&, T altitude, T mu) const {
+        const T light = (T(0.5) + T(0.5) * mu) * (T(10000) / (T(10000) + altitude));
+        return airlight::vec3<T>(light, T(0.5) * light, T(0.25) * light);
+    }
+};
+
 /// GLSL 3.30 has no line continuation.
 inline const char* const hooks_glsl =
     R"glsl(
@@ -162,5 +193,25 @@ vec3 parity_light(float mu_s, int side, int polar, int azimuth) {
 #define AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
 #define AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
 )glsl";
+
+vec3 parity_froxel_light(vec3 uvw) {
+    float light = 1.0 + 0.5 * uvw.x + 0.25 * uvw.y;
+    float far = uvw.z * (0.5 + uvw.z);
+    return vec3(0.5 * far, far, 2.0 * far) * light;
+}
+vec3 parity_froxel_depth(vec3 uvw) {
+    float light = 1.0 + 0.5 * uvw.x + 0.25 * uvw.y;
+    return vec3(0.25 * uvw.z, uvw.z, 4.0 * uvw.z) * light;
+}
+vec2 parity_slants(vec2 uv) {
+    return vec2(0.03125 * uv.x - 0.0625 * uv.y, 0.0625 * uv.x * uv.y);
+}
+vec3 parity_evening(float altitude, float mu) {
+    float light = (0.5 + 0.5 * mu) * (10000.0 / (10000.0 + altitude));
+    return vec3(light, 0.5 * light, 0.25 * light);
+}
+#define AIRLIGHT_FROXEL_TABLE(uvw) airlight_FroxelAir(parity_froxel_light(uvw), parity_froxel_depth(uvw))
+#define AIRLIGHT_SLANT_TABLE(uv) parity_slants(uv)
+#define AIRLIGHT_TRANSMITTANCE_TO_SPACE(altitude, mu) parity_evening(altitude, mu)
 
 }  // namespace parity

@@ -74,8 +74,10 @@ static const bool froxel_light_row =
             const int height = table_size(draw);
             return std::make_tuple(screen, distance, most, slices, width, height, draw.one_of({2, 8, 32}));
         })
-        .cpu([](const auto& screen, auto distance, auto most, int slices, int width, int height, int depth) {
-            return airlight::froxel_light(screen, distance, most, slices, width, height, depth);
+        .cpu([](auto run, const auto& screen, auto distance, auto most, int slices, int width, int height,
+                int depth) {
+            return airlight::froxel_light(screen, distance, most, slices, width, height, depth,
+                                          run.froxel_table);
         })
         .within_bound();
 

@@ -148,7 +148,8 @@ static const bool single_scattering_marched_row =
                 auto distance, int steps) {
             using R = decltype(run);
             return airlight::single_scattering_marched<typename R::T, typename R::Scene>(
-                atmosphere, eye, direction, to_sun, distance, steps, run.visibility);
+                atmosphere, eye, direction, to_sun, distance, steps, run.visibility,
+                run.transmittance_to_space);
         })
         .within_bound();
 

@@ -77,8 +77,8 @@ static const bool column_from_slants_row =
         .inputs(ray_to_space)
         .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu, int width, int height) {
             using R = decltype(run);
-            return airlight::column_from_slants<typename R::T, typename R::Scene>(atmosphere, altitude, mu,
-                                                                                  width, height);
+            return airlight::column_from_slants<typename R::T, typename R::Scene>(
+                atmosphere, altitude, mu, width, height, run.slant_table);
         })
         .within_bound();
 
@@ -87,8 +87,8 @@ static const bool transmittance_from_slants_row =
         .inputs(ray_to_space)
         .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu, int width, int height) {
             using R = decltype(run);
-            return airlight::transmittance_from_slants<typename R::T, typename R::Scene>(atmosphere, altitude,
-                                                                                         mu, width, height);
+            return airlight::transmittance_from_slants<typename R::T, typename R::Scene>(
+                atmosphere, altitude, mu, width, height, run.slant_table);
         })
         .within_bound();
 
