@@ -197,7 +197,7 @@ RowResult run_row(const Row& row, const Function& function, const Manifest& mani
         }
         for (const bool hooked : {false, true}) {
             // With the hook once, in the default scene: flags and hooks do not meet in the code.
-            if (hooked && (function.hooks.empty() || scene != 0)) {
+            if (row.hooked_everywhere ? !hooked : hooked && (function.hooks.empty() || scene != 0)) {
                 continue;
             }
             ++result.scenes;
@@ -207,7 +207,7 @@ RowResult run_row(const Row& row, const Function& function, const Manifest& mani
             std::vector<std::vector<float>> inputs;
             std::vector<float> flat;
             for (std::size_t i = 0; i < count; ++i) {
-                Draw draw(settings.seed + scene * 1000003U, i, count, scene_name.fog);
+                Draw draw(settings.seed + scene * 1000003U, i, count, scene_name.fog, scene_name.shadow);
                 inputs.push_back(row.draw(draw));
                 for (const float x : inputs.back()) {
                     flat.push_back(std::isinf(x) && x > 0 ? glsl_no_surface : x);

@@ -29,13 +29,14 @@ constexpr std::array<int, 48> primes = {2,   3,   5,   7,   11,  13,  17,  19,  
 
 }  // namespace
 
-Draw::Draw(std::uint64_t seed, std::size_t index, std::size_t count, bool fog)
+Draw::Draw(std::uint64_t seed, std::size_t index, std::size_t count, bool fog, bool planet_shadow)
     : mode_(index < count / 8 ? Mode::every_edge : (index < count / 4 ? Mode::random_edges : Mode::mixed)),
       state_(mixed_bits(seed ^ mixed_bits(index))),
       seed_(seed),
       index_(index),
       remaining_(index),
-      fog_(fog) {}
+      fog_(fog),
+      planet_shadow_(planet_shadow) {}
 
 std::uint64_t Draw::random() {
     state_ = mixed_bits(state_);

@@ -19,7 +19,8 @@ class Draw {
   public:
     /// Input number `index` of `count`. The first eighth runs through the end points in all combinations, as
     /// far as it goes; the second draws them at random; in the rest every eighth number is an end point.
-    Draw(std::uint64_t seed, std::size_t index, std::size_t count, bool fog = false);
+    Draw(std::uint64_t seed, std::size_t index, std::size_t count, bool fog = false,
+         bool planet_shadow = true);
 
     /// A number in [low, high], evenly; the ends and `edges` are drawn often.
     float number(float low, float high, std::initializer_list<float> edges = {});
@@ -63,6 +64,10 @@ class Draw {
 
     /// A parameter of the aerosol's phase function, or a droplet diameter where the scene has fog.
     float aerosol_parameter();
+    /// Whether the scene has the planet's shadow.
+    bool planet_shadow() const {
+        return planet_shadow_;
+    }
 
   private:
     double next();           // in [0, 1), the next dimension
@@ -77,6 +82,7 @@ class Draw {
     std::size_t remaining_;
     std::size_t dimension_ = 0;
     bool fog_;
+    bool planet_shadow_;
 };
 
 }  // namespace parity

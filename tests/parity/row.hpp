@@ -81,11 +81,12 @@ struct Row {
     std::string function;
     Tolerance tolerance = Tolerance::to_the_bit;
     std::size_t count = 16384;
-    std::string note;              ///< stated beside the row, in the report too
-    double most_undecided = 0.25;  ///< share of inputs that hardware's rounding may leave undecided
-    double most_unbounded = 0.01;  ///< share of numbers that may have no bound
-    std::string input_signature;   ///< one letter per float: f, i, b
-    std::string result_signature;  ///< likewise
+    std::string note;                ///< stated beside the row, in the report too
+    bool hooked_everywhere = false;  ///< the tests' hooks in every scene, and no run without them
+    double most_undecided = 0.25;    ///< share of inputs that hardware's rounding may leave undecided
+    double most_unbounded = 0.01;    ///< share of numbers that may have no bound
+    std::string input_signature;     ///< one letter per float: f, i, b
+    std::string result_signature;    ///< likewise
     std::function<std::vector<float>(Draw&)> draw;
     /// Scene number, whether the tests' hooks are on, the flat input.
     std::function<Evaluation(std::size_t, bool, const std::vector<float>&)> evaluate;
@@ -159,21 +160,21 @@ template <typename Call, typename... A>
 struct takes_run<Call, std::tuple<A...>>
     : std::is_invocable<Call, Run<float, airlight::DefaultScene, DefaultHooks>, A...> {};
 
-template <typename Call, typename Tuple, std::size_t... Others>
+template <bool HookedEverywhere, typename Call, typename Tuple, std::size_t... Others>
 Evaluation evaluate_in_scene(std::size_t scene, bool hooked, const Call& call, const Tuple& inputs,
                              std::index_sequence<Others...>) {
     using Default = airlight::DefaultScene;
     if constexpr (takes_run<Call, Tuple>::value) {
-        if (hooked) {  // in the default scene only, see run_row
+        using Hooks = std::conditional_t<HookedEverywhere, TestHooks, DefaultHooks>;
+        if (hooked && scene == 0) {
             return evaluate<Default, TestHooks>(call, inputs);
         }
         Evaluation out;
         const bool other =
             ((scene == Others + 1 &&
-              (out = evaluate<std::tuple_element_t<Others + 1, SceneTypes>, DefaultHooks>(call, inputs),
-               true)) ||
+              (out = evaluate<std::tuple_element_t<Others + 1, SceneTypes>, Hooks>(call, inputs), true)) ||
              ...);
-        return other ? out : evaluate<Default, DefaultHooks>(call, inputs);
+        return other ? out : evaluate<Default, Hooks>(call, inputs);
     } else {
         return evaluate<Default, DefaultHooks>(call, inputs);
     }
@@ -185,28 +186,34 @@ Evaluation evaluate_in_scene(std::size_t scene, bool hooked, const Call& call, c
 std::vector<Row>& all_rows();
 
 /// States a row step by step; the last step, the tolerance, enters it.
-template <typename Inputs = int, typename Call = int>
+template <typename Inputs = int, typename Call = int, bool HookedEverywhere = false>
 class RowBuilder {
   public:
     RowBuilder(Row row, Inputs draw, Call call)
         : row_(std::move(row)), inputs_(std::move(draw)), call_(std::move(call)) {}
     template <typename I>
     auto inputs(I draw) const {
-        return RowBuilder<I, Call>(row_, draw, call_);
+        return RowBuilder<I, Call, HookedEverywhere>(row_, draw, call_);
     }
     /// For a function without inputs.
     auto no_inputs() const {
         const auto none = [](Draw&) { return std::tuple<>(); };
-        return RowBuilder<decltype(none), Call>(row_, none, call_).count(1);
+        return RowBuilder<decltype(none), Call, HookedEverywhere>(row_, none, call_).count(1);
     }
     template <typename C>
     auto cpu(C call) const {
-        return RowBuilder<Inputs, C>(row_, inputs_, call);
+        return RowBuilder<Inputs, C, HookedEverywhere>(row_, inputs_, call);
     }
     RowBuilder count(std::size_t n) const {
         RowBuilder out = *this;
         out.row_.count = n;
         return out;
+    }
+    /// For a function that without hooks returns 0 in many scenes, which compares nothing.
+    auto hooked_everywhere() const {
+        Row row = row_;
+        row.hooked_everywhere = true;
+        return RowBuilder<Inputs, Call, true>(row, inputs_, call_);
     }
     RowBuilder note(const std::string& text) const {
         RowBuilder out = *this;
@@ -228,9 +235,6 @@ class RowBuilder {
     }
 
   private:
-    template <typename, typename>
-    friend class RowBuilder;
-
     bool enter(Tolerance tolerance) const {
         Row row = row_;
         row.tolerance = tolerance;
@@ -244,8 +248,9 @@ class RowBuilder {
         append_signature(Result{}, row.result_signature);
         row.draw = [draw](Draw& d) { return detail::flat(draw(d)); };
         row.evaluate = [call](std::size_t scene, bool hooked, const std::vector<float>& in) {
-            return detail::evaluate_in_scene(scene, hooked, call, detail::unflat<Tuple>(in),
-                                             std::make_index_sequence<std::tuple_size_v<SceneTypes> - 1>{});
+            return detail::evaluate_in_scene<HookedEverywhere>(
+                scene, hooked, call, detail::unflat<Tuple>(in),
+                std::make_index_sequence<std::tuple_size_v<SceneTypes> - 1>{});
         };
         all_rows().push_back(std::move(row));
         return true;

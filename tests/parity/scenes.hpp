@@ -38,7 +38,8 @@ struct SceneDefine {
 struct SceneName {
     std::string name;
     std::vector<SceneDefine> defines;
-    bool fog = false;  ///< Atmosphere::mie_g is a droplet diameter
+    bool fog = false;    ///< Atmosphere::mie_g is a droplet diameter
+    bool shadow = true;  ///< Scene::planet_shadow
 };
 
 /// In the order of SceneTypes.
@@ -50,7 +51,7 @@ inline const std::array<SceneName, std::tuple_size_v<SceneTypes>>& scene_names()
         SceneName{"Lorentzian ozone", {{"AIRLIGHT_OZONE", "AIRLIGHT_OZONE_LORENTZIAN"}}},
         SceneName{"Henyey-Greenstein aerosol", {{"AIRLIGHT_MIE_PHASE", "AIRLIGHT_PHASE_HENYEY_GREENSTEIN"}}},
         SceneName{"fog", {{"AIRLIGHT_MIE_PHASE", "AIRLIGHT_PHASE_FOG"}}, true},
-        SceneName{"no planet shadow", {{"AIRLIGHT_PLANET_SHADOW", "0"}}},
+        SceneName{"no planet shadow", {{"AIRLIGHT_PLANET_SHADOW", "0"}}, false, false},
         SceneName{"3 nodes", {{"AIRLIGHT_NODES", "3"}}},
         SceneName{"4 nodes", {{"AIRLIGHT_NODES", "4"}}},
         SceneName{"5 nodes", {{"AIRLIGHT_NODES", "5"}}},
@@ -118,7 +119,6 @@ struct StandInTable {
     }
 };
 
-/// The same hooks for a shader, by hand: they play the part of the user's own code. A macro is one line:
 /// Froxels whose light and depth grow with the distance, by no law that the look-up knows.
 struct UnevenFroxels {
     template <typename T>
@@ -149,6 +149,7 @@ struct EveningLight {
     }
 };
 
+/// The same hooks for a shader, by hand: they play the part of the user's own code. A macro is one line:
 /// GLSL 3.30 has no line continuation.
 inline const char* const hooks_glsl =
     R"glsl(
@@ -192,7 +193,6 @@ vec3 parity_light(float mu_s, int side, int polar, int azimuth) {
 #define AIRLIGHT_SCATTERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
 #define AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
 #define AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) parity_table(mu, mu_s, nu, reaches_ground)
-)glsl";
 
 vec3 parity_froxel_light(vec3 uvw) {
     float light = 1.0 + 0.5 * uvw.x + 0.25 * uvw.y;
@@ -213,5 +213,6 @@ vec3 parity_evening(float altitude, float mu) {
 #define AIRLIGHT_FROXEL_TABLE(uvw) airlight_FroxelAir(parity_froxel_light(uvw), parity_froxel_depth(uvw))
 #define AIRLIGHT_SLANT_TABLE(uv) parity_slants(uv)
 #define AIRLIGHT_TRANSMITTANCE_TO_SPACE(altitude, mu) parity_evening(altitude, mu)
+)glsl";
 
 }  // namespace parity

@@ -16,6 +16,7 @@ static const bool incoming_light_row =
                                    draw.direction_at(up, static_cast<double>(draw.cosine())),
                                    draw.one_of({0, 1}) == 1);
         })
+        .hooked_everywhere()  // without them the orders after the first are 0
         .count(2048)
         .left_out(0.35, 0.2, grazing)
         .cpu([](auto run, const auto& atmosphere, auto altitude, const auto& direction, const auto& to_sun,
@@ -34,9 +35,12 @@ static const bool gathered_light_row =
             const auto atmosphere = draw.atmosphere();
             // Of hundreds of rays of the first order there is always one whose shadow ends where the error of
             // exp decides; incoming_light has that order's rays one by one.
-            return std::make_tuple(atmosphere, 0.5F * draw.altitude_in_air(atmosphere), draw.cosine(), false);
+            const bool first_order = !draw.planet_shadow() && draw.one_of({0, 1}) == 1;
+            return std::make_tuple(atmosphere, 0.5F * draw.altitude_in_air(atmosphere), draw.cosine(),
+                                   first_order);
         })
-        .count(16)
+        .hooked_everywhere()
+        .count(32)
         .left_out(0.9, 0.5, "one of hundreds of rays may end where rounding decides")
         .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu_s, bool first_order) {
             using R = decltype(run);
