@@ -2,6 +2,8 @@
 #ifndef AIRLIGHT_SKY_IRRADIANCE_GLSL
 #define AIRLIGHT_SKY_IRRADIANCE_GLSL
 
+#include "airlight/numeric.glsl"
+
 // Irradiance by everything but the sun itself: the sky, and the ground below, without a surface in the way.
 struct airlight_SkyIrradiance {
     vec3 down;     // [1] on a level surface that faces up, per unit of solar irradiance above the air
@@ -28,6 +30,30 @@ vec3 airlight_sky_irradiance_on(airlight_SkyIrradiance sky, float mu_normal, flo
     vec3 level = 0.5 * ((1.0 + mu_normal) * sky.down + (1.0 - mu_normal) * sky.up);
     float lean = cos_incidence - mu_normal * mu_s;
     return max(level + (0.5 * lean) * sky.sunward, vec3(0.0, 0.0, 0.0));
+}
+
+// The direction that stands for a whole sky: a surface's normal, bent towards the sun.
+//
+//     E(normal) = pi L(bent),   bent along (1 - bend) normal + bend to_sun
+//
+// The sky's irradiance for the price of one look at it, without a table of irradiance. A look at the
+// aureole of a high sun or into the glow of one that has set gives too much.
+//
+// Units:    normal and to_sun unit vectors; bend [1], Leenman's is 0.6; result a unit vector.
+// Domain:   bend in [0, 1]: 0 is the normal, 1 the sun.
+// Accuracy: 8 roundoffs of 1, over the length of the sum, which is short where normal and sun are opposite.
+//           Level ground under an Earth's sky of all orders, bend 0.6, against a path tracer: 16 % with the
+//           sun 10 to 40 degrees high, 46 % while it is up, 80 % too much down to -3 degrees, 2.5 times as
+//           much at -6. Without a bend it is 0.36 to 0.74 of the truth. Walls were not measured.
+// Errors:   none; the normal where the sum has no direction, at a bend of a half opposite to the sun.
+// Source:   Leenman, Atmospheric scattering explained (2021), skylight.
+vec3 airlight_bent_normal(vec3 normal, vec3 to_sun, float bend) {
+    vec3 bent = (1.0 - bend) * normal + bend * to_sun;
+    float length = sqrt(airlight_dot_product(bent, bent));
+    if (!(length > 0.0)) {
+        return normal;
+    }
+    return bent / length;
 }
 
 #endif

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <airlight/numeric.hpp>
 #include <airlight/types.hpp>
 
 namespace airlight {
@@ -31,6 +32,31 @@ vec3<T> sky_irradiance_on(const SkyIrradiance<T>& sky, T mu_normal, T mu_s, T co
     const vec3<T> level = T(0.5) * ((T(1) + mu_normal) * sky.down + (T(1) - mu_normal) * sky.up);
     const T lean = cos_incidence - mu_normal * mu_s;
     return glm::max(level + (T(0.5) * lean) * sky.sunward, vec3<T>(T(0), T(0), T(0)));
+}
+
+/// The direction that stands for a whole sky: a surface's normal, bent towards the sun.
+///
+///     E(normal) = pi L(bent),   bent along (1 - bend) normal + bend to_sun
+///
+/// The sky's irradiance for the price of one look at it, without a table of irradiance. A look at the
+/// aureole of a high sun or into the glow of one that has set gives too much.
+///
+/// Units:    normal and to_sun unit vectors; bend [1], Leenman's is 0.6; result a unit vector.
+/// Domain:   bend in [0, 1]: 0 is the normal, 1 the sun.
+/// Accuracy: 8 roundoffs of 1, over the length of the sum, which is short where normal and sun are opposite.
+///           Level ground under an Earth's sky of all orders, bend 0.6, against a path tracer: 16 % with the
+///           sun 10 to 40 degrees high, 46 % while it is up, 80 % too much down to -3 degrees, 2.5 times as
+///           much at -6. Without a bend it is 0.36 to 0.74 of the truth. Walls were not measured.
+/// Errors:   none; the normal where the sum has no direction, at a bend of a half opposite to the sun.
+/// Source:   Leenman, Atmospheric scattering explained (2021), skylight.
+template <typename T>
+vec3<T> bent_normal(const vec3<T>& normal, const vec3<T>& to_sun, T bend) {
+    const vec3<T> bent = (T(1) - bend) * normal + bend * to_sun;
+    const T length = glm::sqrt(dot_product(bent, bent));
+    if (!(length > T(0))) {
+        return normal;
+    }
+    return bent / length;
 }
 
 }  // namespace airlight

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <doctest/doctest.h>
 #include <airlight/constants.hpp>
@@ -39,6 +40,43 @@ TEST_CASE("radiance that is linear in the direction gives its irradiance on ever
         const double expected = pi<double> * a + third * (bx * nx + bz * nz);
         const double got = sky_irradiance_on(sky, nz, mu_s, nx * s + nz * mu_s).x;
         CHECK(std::fabs(got - expected) <= 1e-14);  // a dozen roundings of numbers near 4, over s >= 0.3
+    }
+}
+
+TEST_CASE_TEMPLATE("a bent normal lies between normal and sun, at 0 and 1 on them", T, float, double,
+                   long double) {
+    const vec3<T> up(T(0), T(0), T(1));
+    const vec3<T> level(T(1), T(0), T(0));
+    CHECK(bent_normal(up, level, T(0)) == up);  // exact: the other is times 0
+    CHECK(bent_normal(up, level, T(1)) == level);
+    // 0.4 up and 0.6 level: 3 by 2, over the root of 13.
+    const vec3<T> bent = bent_normal(up, level, T(0.6L));
+    CHECK_WITHIN(compare_ulp("bent_normal.x", {}, bent.x, 3 / std::sqrt(13.0L)), 8.0L);
+    CHECK_WITHIN(compare_ulp("bent_normal.z", {}, bent.z, 2 / std::sqrt(13.0L)), 8.0L);
+    Random random(82);
+    for (int i = 0; i < 10000; ++i) {
+        const vec3<T> normal = random.direction<T>();
+        const vec3<T> to_sun = random.direction<T>();
+        const T bend = T(random.unit());
+        const vec3<T> d = bent_normal(normal, to_sun, bend);
+        const T rounding = 8 * std::numeric_limits<T>::epsilon();
+        CHECK(std::fabs(dot_product(d, d) - 1) <= rounding);
+        // In their plane, and no further from either than the other is.
+        CHECK(std::fabs(dot_product(d, glm::cross(normal, to_sun))) <= rounding);
+        const T between = dot_product(normal, to_sun);
+        CHECK(dot_product(d, normal) >= between - rounding);
+        CHECK(dot_product(d, to_sun) >= between - rounding);
+    }
+}
+
+TEST_CASE_TEMPLATE("a bent normal without a direction is the normal", T, float, double, long double) {
+    Random random(83);
+    for (int i = 0; i < 1000; ++i) {
+        const vec3<T> normal = random.direction<T>();
+        CHECK(bent_normal(normal, -normal, T(0.5)) == normal);  // exact: a half of each is nothing
+        // Past the half it is the sun's side, however little is left.
+        const T past = T(0.5) + std::numeric_limits<T>::epsilon();
+        CHECK(dot_product(bent_normal(normal, -normal, past), normal) < T(0));
     }
 }
 

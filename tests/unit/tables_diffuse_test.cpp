@@ -85,6 +85,49 @@ TEST_CASE("irradiance of the ground is that of the path tracer, within 1 % by da
 }
 
 TEST_CASE("more orders change little, and the last one stands for the rest") {
+TEST_CASE("one look along a normal bent 0.6 to the sun stands for the sky within half of it, by day") {
+    const std::vector<Row> rows = read_table(AIRLIGHT_TEST_DATA "/../../reference/data/earth_irradiance.csv");
+    REQUIRE(rows.size() >= 27);
+    double between = 0;  // 10 to 40 degrees
+    double by_day = 0;
+    double at_dusk = 0;   // to -3 degrees, too much
+    double at_night = 0;  // to -6 degrees, too much
+    double least = 1;     // without a bend
+    double most = 0;
+    for (const Row& row : rows) {
+        const double sun = static_cast<double>(row.expected("sun_elevation"));
+        const auto seen = [&](double bend) {
+            const vec3<double> up(0, 0, 1);
+            const vec3<double> to_sun = slope<double>(sun);
+            const vec3<double> radiance =
+                all_scattering<double>(earth_table().atmosphere, standing(0.0), bent_normal(up, to_sun, bend),
+                                       to_sun, no_surface<double>(), earth_table())
+                    .radiance;
+            return pi<double> * radiance[static_cast<int>(row.expected("channel"))] /
+                   static_cast<double>(row.expected("irradiance"));
+        };
+        const double error = seen(0.6) - 1;
+        if (sun >= 0) {
+            by_day = std::max(by_day, std::fabs(error));
+        }
+        if (sun >= 10 && sun <= 40) {
+            between = std::max(between, std::fabs(error));
+        }
+        (sun >= -3 ? at_dusk : at_night) = std::max(sun >= -3 ? at_dusk : at_night, error);
+        least = std::min(least, seen(0));
+        most = std::max(most, seen(0));
+    }
+    MESSAGE("from 10 to 40 degrees " << 100 * between << " %, by day " << 100 * by_day << " %, to -3 degrees "
+                                     << 100 * at_dusk << " % too much, to -6 " << 100 * at_night
+                                     << " %; without a bend " << least << " to " << most);
+    CHECK(between <= 0.16);  // these six are the docstring's
+    CHECK(by_day <= 0.46);
+    CHECK(at_dusk <= 0.8);
+    CHECK(at_night <= 1.5);
+    CHECK(least >= 0.36);
+    CHECK(most <= 0.74);
+}
+
     const Atmosphere<double> air = earth<double>();
     const DiffuseTable<double> few = bake_diffuse_table<double, Nodes<4>>(air, 16, 4, 3);
     const DiffuseTable<double> many = bake_diffuse_table<double, Nodes<4>>(air, 16, 4, 9);
