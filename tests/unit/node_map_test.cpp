@@ -1,9 +1,14 @@
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <airlight/gauss.hpp>
 #include <airlight/node_map.hpp>
+#include <airlight/nodes_for.hpp>
 
 #include "samplers.hpp"
 #include "scenes.hpp"
@@ -45,6 +50,12 @@ template <typename T>
 NodeMap<T> map_of(const Piece& p) {
     return node_map(node_fit<T>(), T(p.low_radius), T(p.low_along), T(p.low_radius + p.rise), rise_of<T>(p),
                     T(p.height), T(p.pulled));
+}
+
+/// The fits of node_counts.
+template <typename T, std::size_t... I>
+std::vector<NodeFit<T>> fits_of(std::index_sequence<I...>) {
+    return {node_fit<T, Nodes<node_counts[I]>>()...};
 }
 
 }  // namespace
@@ -135,14 +146,17 @@ TEST_CASE_TEMPLATE("a piece at the closest approach whose rise is none in this t
     }
 }
 
-TEST_CASE_TEMPLATE("every count of nodes has a fit", T, float, double) {
-    const auto sound = [](const NodeFit<T>& fit) {
-        return fit.evenness > T(0) && fit.heights > T(0) && fit.pull > T(0) && fit.sun > T(0) &&
-               fit.view > T(0);
-    };
-    CHECK(sound(node_fit<T, Nodes<4>>()));
-    CHECK(sound(node_fit<T, Nodes<8>>()));
-    CHECK(sound(node_fit<T, Nodes<24>>()));
+TEST_CASE_TEMPLATE("every count of nodes has a fit of its own", T, float, double) {
+    const std::vector<NodeFit<T>> fits = fits_of<T>(std::make_index_sequence<std::size(node_counts)>{});
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+        CAPTURE(node_counts[i]);
+        CHECK(fits[i].evenness > T(0));
+        CHECK(fits[i].heights > T(0));
+        CHECK(fits[i].pull > T(0));
+        CHECK(fits[i].sun > T(0));
+        CHECK(fits[i].view > T(0));
+        CHECK_UNARY(i == 0 || fits[i].evenness != fits[i - 1].evenness);
+    }
 }
 
 TEST_SUITE_END();
