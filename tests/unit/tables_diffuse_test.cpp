@@ -80,7 +80,7 @@ TEST_CASE("irradiance of the ground is that of the path tracer, within 1 % by da
         }
     }
     MESSAGE("worst by day " << 100 * by_day << " %, to -3 degrees " << 100 * at_dusk << " %");
-    CHECK(by_day <= 0.015);  // 6 heights and 16 azimuths for the aureole of a high sun
+    CHECK(by_day <= 0.01);  // measured: 0.00996; 6 heights and 16 azimuths for the aureole of a high sun
     CHECK(at_dusk <= 0.05);
 }
 
