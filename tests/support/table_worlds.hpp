@@ -6,18 +6,9 @@
 #include <vector>
 
 #include "converted.hpp"
+#include "worlds.hpp"
 
 namespace airlight_test {
-
-/// Thick, hazy and small, as Titan is.
-inline airlight::Atmosphere<double> hazy_titan() {
-    airlight::Atmosphere<double> air = airlight::earth<double>();
-    air.ground_radius = 2575e3;
-    air.top_altitude = 400e3;
-    air.rayleigh_scale_height = air.mie_scale_height = 40e3;
-    air.mie_scattering = airlight::vec3<double>(1e-5, 2e-5, 4e-5);
-    return air;
-}
 
 struct TableWorld {
     const char* name;
@@ -26,17 +17,15 @@ struct TableWorld {
 
 inline std::vector<TableWorld> table_worlds() {
     using namespace airlight;
-    Atmosphere<double> titan = earth<double>();  // half as much air as planet, as on Titan
-    titan.ground_radius = 2.575e6;
-    titan.top_altitude = 1.2e6;
-    titan.rayleigh_scale_height = 2.1e4;
+    Atmosphere<double> far = titan<double>();
+    far.top_altitude = 1.2e6;  // half as much air as planet
     Atmosphere<double> toy = earth<double>();
     toy.ground_radius = 6e4;
     toy.top_altitude = 6e4;
     return {{"earth", earth<double>()},
             {"earth in km", rescaled(earth<double>(), 1e-3)},
             {"mars", mars<double>()},
-            {"titan", titan},
+            {"titan", far},
             {"60 km world", toy}};
 }
 

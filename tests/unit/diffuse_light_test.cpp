@@ -14,15 +14,6 @@ using namespace airlight;
 
 namespace {
 
-// A unit vector with its third axis up.
-template <typename T>
-vec3<T> direction_of(Random& random) {
-    const double z = 2 * random.unit() - 1;
-    const double azimuth = 6.283185307179586 * random.unit();
-    const double sine = std::sqrt((1 - z) * (1 + z));
-    return vec3<T>(T(sine * std::cos(azimuth)), T(sine * std::sin(azimuth)), T(z));
-}
-
 // The moments of two beams of irradiance 2 pi each, mirrored in the sun's plane: their definition.
 DiffuseLight<double> two_beams(const vec3<double>& from, double sun_sine) {
     const double x = from.x;
@@ -52,8 +43,8 @@ TEST_CASE_TEMPLATE("even light is scattered evenly: coefficients times radiance"
     const vec3<T> rayleigh(T(0.25), T(0.5), T(1));
     const vec3<T> mie(T(2), T(0.5), T(0));
     for (int i = 0; i < 1000; ++i) {
-        const vec3<T> d = direction_of<T>(random);
-        const vec3<T> sun = direction_of<T>(random);
+        const vec3<T> d = random.direction<T>();
+        const vec3<T> sun = random.direction<T>();
         const vec3<T> got = scattered_diffuse_light(even_light(radiance), rayleigh, mie, d.z,
                                                     d.x * sun.x + d.y * sun.y + d.z * sun.z, sun.z);
         for (int c = 0; c < 3; ++c) {
@@ -71,8 +62,8 @@ TEST_CASE("molecules scatter two beams exactly as Rayleigh's phase function says
     for (int i = 0; i < 20000; ++i) {
         const double mu_s = 1.98 * random.unit() - 0.99;
         const double sun_sine = std::sqrt((1 - mu_s) * (1 + mu_s));
-        const vec3<double> from = direction_of<double>(random);
-        const vec3<double> d = direction_of<double>(random);
+        const vec3<double> from = random.direction<double>();
+        const vec3<double> d = random.direction<double>();
         const double cos_theta = d.x * sun_sine + d.z * mu_s;
         const vec3<double> got = scattered_diffuse_light(two_beams(from, sun_sine), vec3<double>(1.0),
                                                          vec3<double>(0.0), d.z, cos_theta, mu_s);
@@ -113,9 +104,8 @@ TEST_CASE_TEMPLATE("scattered light is finite and never negative, whatever the m
         };
         const DiffuseLight<T> light{any(0, 1), any(-9, 9), any(-9, 9), any(-9, 9), any(0, 1),
                                     any(0, 1), any(0, 1),  any(0, 1),  any(0, 1)};
-        const vec3<T> d =
-            i % 3 == 0 ? vec3<T>(T(0), T(0), i % 2 == 0 ? T(1) : T(-1)) : direction_of<T>(random);
-        const vec3<T> sun = i % 5 == 0 ? vec3<T>(T(0), T(0), T(1)) : direction_of<T>(random);
+        const vec3<T> d = i % 3 == 0 ? vec3<T>(T(0), T(0), i % 2 == 0 ? T(1) : T(-1)) : random.direction<T>();
+        const vec3<T> sun = i % 5 == 0 ? vec3<T>(T(0), T(0), T(1)) : random.direction<T>();
         const vec3<T> got = scattered_diffuse_light(light, vec3<T>(T(1)), vec3<T>(T(1)), d.z,
                                                     d.x * sun.x + d.y * sun.y + d.z * sun.z, sun.z);
         for (int c = 0; c < 3; ++c) {

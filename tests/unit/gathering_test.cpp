@@ -5,6 +5,7 @@
 #include <airlight/gathering.hpp>
 
 #include "story.hpp"
+#include "worlds.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
@@ -45,11 +46,9 @@ TEST_CASE_TEMPLATE("the directions cover the sphere and know the moments of ligh
 
 TEST_CASE_TEMPLATE("the sun on level ground counts as its cosine, and from below not at all", T, float,
                    double, long double) {
-    Atmosphere<T> airless = earth<T>();
-    airless.rayleigh_scattering = airless.mie_scattering = airless.mie_absorption = airless.ozone_absorption =
-        vec3<T>(T(0));
-    CHECK(direct_irradiance<T>(airless, T(0), T(0.25L)) == vec3<T>(T(0.25L)));  // exact: times exp(0)
-    CHECK(direct_irradiance<T>(airless, T(0), T(-0.25L)) == vec3<T>(T(0)));
+    const Atmosphere<T> bare = airless(earth<T>());
+    CHECK(direct_irradiance<T>(bare, T(0), T(0.25L)) == vec3<T>(T(0.25L)));  // exact: times exp(0)
+    CHECK(direct_irradiance<T>(bare, T(0), T(-0.25L)) == vec3<T>(T(0)));
     // Exact: the same call.
     CHECK(direct_irradiance<T>(earth<T>(), T(2), T(0.5L)) ==
           T(0.5L) * transmittance_to_space<T>(earth<T>(), T(2), T(0.5L)));

@@ -8,10 +8,12 @@
 
 #include "error_metrics.hpp"
 #include "extremes.hpp"
+#include "promises.hpp"
 #include "samplers.hpp"
 #include "scenes.hpp"
 #include "story.hpp"
 #include "views.hpp"
+#include "worlds.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
@@ -45,12 +47,6 @@ struct Uniform {
         return vec3<T>(T(light));
     }
 };
-
-template <typename T>
-bool is_light(const vec3<T>& x) {
-    return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z) && x.x >= T(0) && x.y >= T(0) &&
-           x.z >= T(0);
-}
 
 /// A ray of a table as its five numbers.
 template <typename T>
@@ -289,9 +285,9 @@ TEST_CASE_TEMPLATE("any air, ray and sun: light is finite and never negative", T
         const vec3<T> next =
             next_order_radiance<T, DefaultScene>(air, altitude, mu, mu_s, nu, ground, Uniform{1}, Uniform{1});
         CAPTURE(i);
-        CHECK(is_light(once.rayleigh));
-        CHECK(is_light(once.mie));
-        CHECK(is_light(next));
+        CHECK(is_amount(once.rayleigh));
+        CHECK(is_amount(once.mie));
+        CHECK(is_amount(next));
         for (int c = 0; c < 3; ++c) {
             CHECK(once.rayleigh[c] + once.mie[c] <=
                   T(1.0001L));  // energy: 1 and the roundoffs of energy_share
@@ -300,12 +296,12 @@ TEST_CASE_TEMPLATE("any air, ray and sun: light is finite and never negative", T
         if (i % 16 == 0) {
             const PhaseWeighted<T> gathered =
                 phase_weighted_light<T, DefaultScene>(air, altitude, mu, mu_s, nu, Uniform{1});
-            CHECK(is_light(gathered.rayleigh));
-            CHECK(is_light(gathered.mie));
-            CHECK(is_light(order_irradiance<T, DefaultScene>(air, altitude, mu_s, Uniform{1})));
+            CHECK(is_amount(gathered.rayleigh));
+            CHECK(is_amount(gathered.mie));
+            CHECK(is_amount(order_irradiance<T, DefaultScene>(air, altitude, mu_s, Uniform{1})));
         }
-        CHECK(is_light(incident_light<T, DefaultScene>(air, altitude, mu_s, random.below(2), random.below(8),
-                                                       random.below(16), Uniform{1}, Uniform{1})));
+        CHECK(is_amount(incident_light<T, DefaultScene>(air, altitude, mu_s, random.below(2), random.below(8),
+                                                        random.below(16), Uniform{1}, Uniform{1})));
     }
 }
 

@@ -13,6 +13,7 @@
 #include "story.hpp"
 #include "table.hpp"
 #include "views.hpp"
+#include "worlds.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
@@ -236,9 +237,7 @@ TEST_CASE_TEMPLATE("nodes: no way and no air: radiance 0, transmittance 1", T, f
         earth<T>(), View<T>{standing(T(300e3L)), slope<T>(10), slope<T>(40), no_surface<T>()}));
     check_clear(seen<DefaultScene>(earth<T>(),
                                    View<T>{standing(T(0)), slope<T>(-30), slope<T>(40), no_surface<T>()}));
-    Atmosphere<T> vacuum = earth<T>();
-    vacuum.rayleigh_scattering = vacuum.mie_scattering = vacuum.mie_absorption = vacuum.ozone_absorption =
-        vec3<T>(T(0));
+    const Atmosphere<T> vacuum = airless(earth<T>());
     check_clear(
         seen<DefaultScene>(vacuum, View<T>{standing(T(2)), slope<T>(30), slope<T>(40), no_surface<T>()}));
 }

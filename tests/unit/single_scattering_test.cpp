@@ -14,6 +14,7 @@
 #include "story.hpp"
 #include "table.hpp"
 #include "views.hpp"
+#include "worlds.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
@@ -367,9 +368,7 @@ TEST_CASE_TEMPLATE("no way, no air, no sunlight lost: radiance 0, transmittance 
                                     View<T>{standing(T(300e3L)), slope<T>(-90), slope<T>(40), T(100e3L)}, 8));
     check_clear(march<DefaultScene>(
         earth<T>(), View<T>{standing(T(0)), slope<T>(-30), slope<T>(40), no_surface<T>()}, 8));
-    Atmosphere<T> vacuum = earth<T>();
-    vacuum.rayleigh_scattering = vacuum.mie_scattering = vacuum.mie_absorption = vacuum.ozone_absorption =
-        vec3<T>(T(0));
+    const Atmosphere<T> vacuum = airless(earth<T>());
     check_clear(
         march<DefaultScene>(vacuum, View<T>{standing(T(2)), slope<T>(30), slope<T>(40), no_surface<T>()}, 8));
 }

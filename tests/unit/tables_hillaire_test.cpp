@@ -10,6 +10,7 @@
 #include "half.hpp"
 #include "promises.hpp"
 #include "samplers.hpp"
+#include "worlds.hpp"
 
 using namespace airlight;
 using namespace airlight_test;
@@ -101,9 +102,8 @@ TEST_CASE_TEMPLATE("sizes of 1, thin Mars, thick air and none give amounts of li
     thick.rayleigh_scattering *= T(100);
     Atmosphere<T> none = earth<T>();
     none.top_altitude = T(0);
-    Atmosphere<T> zero = earth<T>();
-    zero.rayleigh_scattering = zero.mie_scattering = zero.mie_absorption = zero.ozone_absorption =
-        zero.ground_albedo = vec3<T>(T(0));
+    Atmosphere<T> zero = airless(earth<T>());
+    zero.ground_albedo = vec3<T>(T(0));
     for (const Atmosphere<T>& air : {earth<T>(), mars<T>(), thick, none, zero}) {
         for (const int size : {1, 2, 6}) {
             const Table<vec3<T>> table = bake_hillaire(air, size, size);

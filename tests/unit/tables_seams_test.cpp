@@ -7,9 +7,10 @@
 #include <airlight/tables/diffuse.hpp>
 
 #include "angles.hpp"
+#include "converted.hpp"
 #include "scenes.hpp"
 #include "story.hpp"
-#include "table_worlds.hpp"
+#include "worlds.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
@@ -46,7 +47,7 @@ double largest_step(const std::vector<double>& values) {
 TEST_SUITE_BEGIN("tables_seams");
 
 TEST_CASE("no seam, stripe or speck across the sky through a table, on Earth, thin Mars and dense Titan") {
-    for (const Atmosphere<double>& air : {earth<double>(), mars<double>(), hazy_titan()}) {
+    for (const Atmosphere<double>& air : {earth<double>(), mars<double>(), titan<double>()}) {
         const Atmosphere<float> planet = airlight_test::converted<float>(air);
         const DiffuseTable<float> table = bake_diffuse_table<float, Nodes<5>>(planet, 32, 8, 3);
         for (const double sun : {40.0, 2.0, -4.0, -10.0}) {

@@ -8,6 +8,7 @@
 #include "samplers.hpp"
 #include "scenes.hpp"
 #include "story.hpp"
+#include "worlds.hpp"
 
 using namespace airlight_test;
 using namespace airlight;
@@ -139,9 +140,7 @@ TEST_CASE_TEMPLATE("behind the planet there is no light: the shadow is explicit"
     CHECK_FALSE(behind_planet(radius, T(1000), T(-0.01L)));  // the horizon of 1 km lies at -0.0177
     CHECK(behind_planet(radius, T(1000), T(-0.018L)));
     check_same(transmittance_to_space<T>(earth<T>(), T(0), T(-0.5)), vec3<T>(T(0)));
-    Atmosphere<T> vacuum = earth<T>();
-    vacuum.rayleigh_scattering = vacuum.mie_scattering = vacuum.mie_absorption = vacuum.ozone_absorption =
-        vec3<T>(T(0));
+    const Atmosphere<T> vacuum = airless(earth<T>());
     for (const T mu : {T(-1), T(-0.3L), T(-1e-4L), T(0), T(1)}) {
         const bool dark = behind_planet(radius, T(0), mu);
         check_same(transmittance_to_space<T>(vacuum, T(0), mu), vec3<T>(dark ? T(0) : T(1)));
