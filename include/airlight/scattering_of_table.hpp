@@ -71,7 +71,8 @@ Scattered<T> scattering_of_table(const Atmosphere<T>& atmosphere, const Viewpoin
     const vec3<T> transmitted = transmittance<T, Scene>(atmosphere, air.altitude, mu, air.extent);
     const vec3<T> whole = radiance_of_table<T, Scene>(atmosphere, air.altitude, mu, mu_s, nu, to_ground,
                                                       scattered_rayleigh, scattered_mie, multiple_radiance);
-    const bool ends_in_air = !air.reaches_ground && air.begin + air.extent >= distance;
+    // As air_ray measures it: the sum of begin and extent may round to less than distance.
+    const bool ends_in_air = !air.reaches_ground && air.extent >= distance - air.begin;
     if (!ends_in_air) {
         return Scattered<T>{whole, transmitted};
     }
