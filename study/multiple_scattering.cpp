@@ -508,7 +508,7 @@ int main(int argc, char** argv) {
     support::add_value(app, "--nus", "<count>", settings.nus, "angles between view and sun (default 8)")
         ->check(CLI::Range(2, 256));
     support::add_value(app, "--lowest-sun", "<degrees>", settings.lowest_sun,
-                       "that the tables know, as -12 (default: where the last light is gone, -20)")
+                       "that the tables know, as -12 (default: where the last light is gone, -30)")
         ->check(CLI::Range(-90.0, -1.0));
     support::add_switch(app, "--quick", settings.quick, "small tables: does it run?");
     support::add_value(app, "--write", "<file>", settings.write, "the figures as CSV");

@@ -29,10 +29,13 @@ struct airlight_ScatteringLookup {
     float weight;  // [1] of the second; the first has 1 - weight
 };
 
-// The lowest sun that lights air in anybody's sight on the ground: sunlight that grazes the ground and
-// then a line of sight that does, each as far from the horizon as the top of the air.
+// The lowest sun that lights air in the sight of any point of the air: a line of sight from the top grazes
+// the ground and comes out at the top again, where sunlight that grazes the ground too is about to leave.
+// Each of the three ways between ground and top turns the vertical by d.
 //
-//     -sin(2 d),  cos(d) = R / (R + top)
+//     -sin(3 d),  cos(d) = R / (R + top)
+//
+// Seen from the ground the last light is gone earlier, at -sin(2 d).
 //
 // Units:    result [1], a cosine between the sun and the vertical, in [-1, 0].
 // Domain:   ground_radius > 0, top_altitude >= 0.
@@ -44,7 +47,8 @@ float airlight_lowest_sun_cosine(airlight_Atmosphere atmosphere) {
     float outer = radius + atmosphere.top_altitude;
     float sine = airlight_horizon_distance(radius, atmosphere.top_altitude) / outer;
     float cosine = radius / outer;
-    return cosine > sine ? -2.0 * sine * cosine : -1.0;
+    float four_squares = 4.0 * cosine * cosine;
+    return four_squares > 3.0 ? sine * (1.0 - four_squares) : -1.0;
 }
 
 // How the sun's axis of inscatter_uvw bends: sampled (1 + 1/bend)^2 = 30 times as densely at the horizon

@@ -80,7 +80,8 @@ airlight_Scattered airlight_scattering_of_table(airlight_Atmosphere atmosphere, 
     float mu_s = clamp((sun.perigee_height + air.along * nu) / radius, -1.0, 1.0);
     vec3 transmitted = airlight_transmittance(atmosphere, air.altitude, mu, air.extent);
     vec3 whole = airlight_radiance_of_table(atmosphere, air.altitude, mu, mu_s, nu, to_ground);
-    bool ends_in_air = !air.reaches_ground && air.begin + air.extent >= distance;
+    // As air_ray measures it: the sum of begin and extent may round to less than distance.
+    bool ends_in_air = !air.reaches_ground && air.extent >= distance - air.begin;
     if (!ends_in_air) {
         return airlight_Scattered(whole, transmitted);
     }

@@ -35,10 +35,13 @@ struct ScatteringLookup {
     T weight;        ///< [1] of the second; the first has 1 - weight
 };
 
-/// The lowest sun that lights air in anybody's sight on the ground: sunlight that grazes the ground and
-/// then a line of sight that does, each as far from the horizon as the top of the air.
+/// The lowest sun that lights air in the sight of any point of the air: a line of sight from the top grazes
+/// the ground and comes out at the top again, where sunlight that grazes the ground too is about to leave.
+/// Each of the three ways between ground and top turns the vertical by d.
 ///
-///     -sin(2 d),  cos(d) = R / (R + top)
+///     -sin(3 d),  cos(d) = R / (R + top)
+///
+/// Seen from the ground the last light is gone earlier, at -sin(2 d).
 ///
 /// Units:    result [1], a cosine between the sun and the vertical, in [-1, 0].
 /// Domain:   ground_radius > 0, top_altitude >= 0.
@@ -51,7 +54,8 @@ T lowest_sun_cosine(const Atmosphere<T>& atmosphere) {
     const T outer = radius + atmosphere.top_altitude;
     const T sine = horizon_distance(radius, atmosphere.top_altitude) / outer;
     const T cosine = radius / outer;
-    return cosine > sine ? T(-2) * sine * cosine : T(-1);
+    const T four_squares = T(4) * cosine * cosine;
+    return four_squares > T(3) ? sine * (T(1) - four_squares) : T(-1);
 }
 
 /// How the sun's axis of inscatter_uvw bends: sampled (1 + 1/bend)^2 = 30 times as densely at the horizon

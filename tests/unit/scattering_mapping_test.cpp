@@ -72,18 +72,21 @@ TEST_CASE_TEMPLATE("below the ground a table of scattered light is read at the g
     }
 }
 
-TEST_CASE_TEMPLATE("the lowest sun is 20 degrees down on Earth, and any on a world that is mostly air", T,
-                   float, double) {
-    // cos d = 6360 / 6460: sin 2 d = 0.3453.
-    const T sine = std::sqrt(T(1) - T(6360.0 / 6460.0) * T(6360.0 / 6460.0));
+TEST_CASE_TEMPLATE("the lowest sun is 30 degrees down on Earth, and any on a world that is mostly air", T,
+                   float, double, long double) {
     Atmosphere<T> air = earth<T>();
-    air.ground_radius = T(6.36e6);
-    air.top_altitude = T(1e5);
-    // sqrt(1 - c^2) cancels: 40 ulp
-    CHECK_WITHIN(
-        compare_ulp("lowest_sun_cosine", {}, lowest_sun_cosine(air), -2.0L * sine * 6360.0L / 6460.0L),
-        40.0L);
-    air.ground_radius = T(1e3);
+    air.ground_radius = T(6.36e6L);
+    air.top_altitude = T(1e5L);
+    // By angles: the dip of the horizon from the top, three times.
+    const long double dip = std::acos(6360.0L / 6460.0L);
+    CHECK_WITHIN(compare_ulp("lowest_sun_cosine", {}, lowest_sun_cosine(air), -std::sin(3 * dip)), 8.0L);
+    CHECK(std::sin(3 * dip) == doctest::Approx(0.50428));
+    // From 30 degrees of dip on the sun lights some air in sight at every hour.
+    air.ground_radius = T(1e3L);
+    air.top_altitude = T(154);  // 1000 (2 / sqrt(3) - 1) = 154.7
+    CHECK(lowest_sun_cosine(air) > T(-1));
+    CHECK(lowest_sun_cosine(air) < T(-0.999L));
+    air.top_altitude = T(155);
     CHECK(lowest_sun_cosine(air) == T(-1));
     air.top_altitude = T(0);
     CHECK(lowest_sun_cosine(air) == T(0));
