@@ -2905,7 +2905,7 @@ float airlight_slant_guess(float x, float mu) {
 // Units:    result [1].
 // Domain:   that of Atmosphere.
 // Accuracy: 3 roundoffs.
-// Errors:   none; without molecules and aerosol 0.
+// Errors:   none; 0 where both scale heights are.
 // Source:   chosen: the cosine at which Chapman's function bends is about the root of height over radius.
 float airlight_slant_scale(airlight_Atmosphere atmosphere) {
     return sqrt(max(atmosphere.rayleigh_scale_height, atmosphere.mie_scale_height) /
@@ -2936,13 +2936,14 @@ vec2 airlight_slant_uv(airlight_Atmosphere atmosphere, float altitude, float mu,
 // Units:    uv [1]; width and height in texels.
 // Domain:   every uv; width and height >= 1.
 // Accuracy: 6 roundoffs of the size.
-// Errors:   none; without molecules and aerosol every direction but the vertical one lies at x = 1.
+// Errors:   none; where both scale heights are 0 every direction but the horizontal one lies at x = 1, which
+//           then stands for the vertical one.
 // Source:   as slant_uv.
 airlight_AltitudeCosine airlight_slant_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
                                                   int height) {
     float scale = airlight_slant_scale(atmosphere);
     float x = airlight_unit_from_texture(uv.x, width);
-    float mu = airlight_share_of(scale * x, (1.0 - x) + scale);
+    float mu = x < 1.0 ? airlight_share_of(scale * x, (1.0 - x) + scale) : 1.0;
     return airlight_AltitudeCosine(airlight_unit_from_texture(uv.y, height) * atmosphere.top_altitude, mu);
 }
 

@@ -30,7 +30,7 @@ T slant_guess(T x, T mu) {
 /// Units:    result [1].
 /// Domain:   that of Atmosphere.
 /// Accuracy: 3 roundoffs.
-/// Errors:   none; without molecules and aerosol 0.
+/// Errors:   none; 0 where both scale heights are.
 /// Source:   chosen: the cosine at which Chapman's function bends is about the root of height over radius.
 template <typename T>
 T slant_scale(const Atmosphere<T>& atmosphere) {
@@ -63,14 +63,15 @@ vec2<T> slant_uv(const Atmosphere<T>& atmosphere, T altitude, T mu, int width, i
 /// Units:    uv [1]; width and height in texels.
 /// Domain:   every uv; width and height >= 1.
 /// Accuracy: 6 roundoffs of the size.
-/// Errors:   none; without molecules and aerosol every direction but the vertical one lies at x = 1.
+/// Errors:   none; where both scale heights are 0 every direction but the horizontal one lies at x = 1, which
+///           then stands for the vertical one.
 /// Source:   as slant_uv.
 template <typename T>
 AltitudeCosine<T> slant_parameters(const Atmosphere<T>& atmosphere, const vec2<T>& uv, int width,
                                    int height) {
     const T scale = slant_scale(atmosphere);
     const T x = unit_from_texture(uv.x, width);
-    const T mu = share_of(scale * x, (T(1) - x) + scale);
+    const T mu = x < T(1) ? share_of(scale * x, (T(1) - x) + scale) : T(1);
     return AltitudeCosine<T>{unit_from_texture(uv.y, height) * atmosphere.top_altitude, mu};
 }
 

@@ -76,6 +76,17 @@ TEST_CASE_TEMPLATE("the horizon is the first column, the zenith the last", T, fl
     CHECK(slant_uv(air, air.top_altitude, T(1), 64, 32) == vec2<T>(T(63.5L) / T(64), T(31.5L) / T(32)));
     CHECK(slant_parameters(air, vec2<T>(T(0), T(0)), 64, 32).mu == T(0));
     CHECK(slant_parameters(air, vec2<T>(T(1), T(0)), 64, 32).mu == T(1));
+
+    // Air without height: every direction but the horizontal one has the vertical one's place, and back.
+    Atmosphere<T> flat = air;
+    flat.rayleigh_scale_height = flat.mie_scale_height = T(0);
+    CHECK(slant_scale(flat) == T(0));
+    CHECK(slant_uv(flat, T(0), T(0), 64, 32).x == T(0.5) / T(64));
+    for (const T mu : {T(1e-3L), T(0.5), T(1)}) {
+        CHECK(slant_uv(flat, T(0), mu, 64, 32).x == T(63.5L) / T(64));
+    }
+    CHECK(slant_parameters(flat, vec2<T>(T(0), T(0)), 64, 32).mu == T(0));
+    CHECK(slant_parameters(flat, vec2<T>(T(63.5L) / T(64), T(0)), 64, 32).mu == T(1));
 }
 
 TEST_CASE_TEMPLATE("without a table the guess stands: 6 % of the molecules and the aerosol", T, float,
