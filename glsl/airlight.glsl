@@ -2508,6 +2508,55 @@ float airlight_table_cosine(float mu) {
     return min(max(-1.0, mu), 1.0);
 }
 
+// Texture coordinate of an axis whose lower and upper half are tables of their own, so that filtering
+// never mixes them: x = 0 is where they meet, 1 the far end.
+//
+// Units:    x [1]; size in texels; result [1].
+// Domain:   size even, at least 2.
+// Accuracy: 3 roundoffs.
+// Errors:   none.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl.
+float airlight_texture_from_halves(float x, bool upper, int size) {
+    float within = 0.5 * airlight_texture_from_unit(x, size / 2);
+    return upper ? 0.5 + within : 0.5 - within;
+}
+
+// The x of texture_from_halves; the half is the upper one where u > 1/2.
+//
+// Units:    u [1]; size in texels; result [1], in [0, 1].
+// Domain:   size even, at least 2.
+// Accuracy: 3 roundoffs of size.
+// Errors:   none.
+// Source:   as texture_from_halves.
+float airlight_unit_from_halves(float u, int size) {
+    return airlight_unit_from_texture(abs(2.0 * u - 1.0), size / 2);
+}
+
+// The sun's height, bent so that the horizon gets more room: there (1 + 1 / bend)^2 times as much as at the
+// zenith.
+//
+//     (1 + bend) mu / (|mu| + bend)
+//
+// Units:    mu_s and bend [1]; result [1], in [-1, 1].
+// Domain:   mu_s in [-1, 1]; bend > 0.
+// Accuracy: 4 roundoffs.
+// Errors:   none.
+// Source:   chosen: the shape of the arc tangents in the sources of inscatter_uvw, by arithmetic alone.
+float airlight_bent_sun(float mu_s, float bend) {
+    return (1.0 + bend) * mu_s / (bend + abs(mu_s));
+}
+
+// The inverse of bent_sun.
+//
+// Units:    bent and bend [1]; result [1], in [-1, 1].
+// Domain:   bent in [-1, 1]; bend > 0.
+// Accuracy: 4 roundoffs, and 1 + bend over bend times that of bent.
+// Errors:   none.
+// Source:   as bent_sun.
+float airlight_sun_from_bent(float bent, float bend) {
+    return airlight_table_cosine(bend * bent / (bend + (1.0 - abs(bent))));
+}
+
 // Distance from a point to its horizon on the ground sphere.
 //
 // Units:    ground_radius, altitude and result [L].
@@ -2542,6 +2591,37 @@ float airlight_altitude_of_horizon(float ground_radius, float distance) {
 // Source:   definition.
 float airlight_horizon_cosine(float ground_radius, float altitude) {
     return -airlight_horizon_distance(ground_radius, altitude) / (ground_radius + altitude);
+}
+
+// How far the cosines between the horizon and the nadir reach: 1 + horizon_cosine, which would cancel far
+// away.
+//
+//     1 + mu_h = (R / (R + h))^2 / (1 - mu_h)
+//
+// Units:    ground_radius and altitude [L]; horizon, the horizon_cosine of both, and result [1].
+// Domain:   ground_radius > 0; altitude >= 0.
+// Accuracy: 8 roundoffs.
+// Errors:   none.
+// Source:   difference of squares.
+float airlight_cosines_below_horizon(float ground_radius, float altitude, float horizon) {
+    float share = ground_radius / (ground_radius + altitude);
+    return share * share / (1.0 - horizon);
+}
+
+// By how much a cosine has to exceed the horizon's for a ray to pass the ground in float [1]: ten roundoffs
+// of 1, a tenth of a second of arc.
+const float airlight_past_the_horizon = 6e-7;
+
+// The sun at a height, in the frame in which tables are filled: the vertical is z, the sun stands over x.
+//
+// Units:    mu_s [1], cosine between the sun and the vertical; result a unit vector.
+// Domain:   every number, see table_cosine.
+// Accuracy: 3 roundoffs.
+// Errors:   none.
+// Source:   Pythagoras.
+vec3 airlight_sun_over_x(float mu_s) {
+    float cosine = airlight_table_cosine(mu_s);
+    return vec3(airlight_safe_sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine);
 }
 
 // How much longer a ray to the top of the air is than the vertical one.
@@ -2855,8 +2935,7 @@ vec3 airlight_hillaire_texel(airlight_Atmosphere atmosphere, float altitude, flo
     airlight_Layers layers = airlight_layers_of(atmosphere);
     airlight_Viewpoint eye = airlight_Viewpoint(airlight_table_altitude(atmosphere, altitude),
                                                 vec3(0.0, 0.0, 1.0));
-    float cosine = airlight_table_cosine(mu_s);
-    vec3 to_sun = vec3(airlight_safe_sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine);
+    vec3 to_sun = airlight_sun_over_x(mu_s);
 
     vec3 light = vec3(0.0, 0.0, 0.0);
     vec3 share = vec3(0.0, 0.0, 0.0);
@@ -3505,41 +3584,6 @@ float airlight_lowest_sun_cosine(airlight_Atmosphere atmosphere) {
 // as at the zenith, as the tangent in its source is.
 const float airlight_sun_axis_bend = 0.225;
 
-// The sun's height, bent so that the horizon gets more room: mu / (|mu| + bend).
-//
-// Units:    mu_s [1]; result [1], in (-1, 1).
-// Domain:   mu_s in [-1, 1].
-// Accuracy: 3 roundoffs.
-// Errors:   none.
-// Source:   stands in for the arc tangent of the source of inscatter_uvw.
-float airlight_bent_sun(float mu_s) {
-    return mu_s / (abs(mu_s) + airlight_sun_axis_bend);
-}
-
-// Texture coordinate of an axis whose lower and upper half are tables of their own, so that filtering
-// never mixes them: x = 0 is where they meet, 1 the far end.
-//
-// Units:    x [1]; size in texels; result [1].
-// Domain:   size even, at least 2.
-// Accuracy: 3 roundoffs.
-// Errors:   none.
-// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl.
-float airlight_texture_from_halves(float x, bool upper, int size) {
-    float within = 0.5 * airlight_texture_from_unit(x, size / 2);
-    return upper ? 0.5 + within : 0.5 - within;
-}
-
-// The x of texture_from_halves; the half is the upper one where u > 1/2.
-//
-// Units:    u [1]; size in texels; result [1], in [0, 1].
-// Domain:   size even, at least 2.
-// Accuracy: 3 roundoffs of size.
-// Errors:   none.
-// Source:   as texture_from_halves.
-float airlight_unit_from_halves(float u, int size) {
-    return airlight_unit_from_texture(abs(2.0 * u - 1.0), size / 2);
-}
-
 // Where a table over altitude (x), view (y) and sun (z) is read, all three even.
 //
 //     x = altitude / top_altitude,   y = (1 + mu) / 2,   z = (1 + mu_s) / 2
@@ -3578,7 +3622,7 @@ airlight_AltitudeViewSun airlight_linear_inscatter_parameters(airlight_Atmospher
 //     x = sqrt(altitude / top_altitude)
 //     y = 1/2 + ((mu - mu_h) / (1 - mu_h))^(1/5) / 2      above the horizon
 //     y = 1/2 - ((mu_h - mu) / (1 + mu_h))^(1/5) / 2      on the ground
-//     z = (s(mu_s) - s(lowest_sun)) / (s(1) - s(lowest_sun)),   s(mu) = mu / (|mu| + bend)
+//     z = (s(mu_s) - s(lowest_sun)) / (1 - s(lowest_sun)),   s = bent_sun
 //
 // The sources have an arc tangent for z, which shaders compute as they like; s has its shape.
 //
@@ -3596,17 +3640,16 @@ vec3 airlight_inscatter_uvw(airlight_Atmosphere atmosphere, float altitude, floa
     float above = airlight_table_altitude(atmosphere, altitude);
     float x = sqrt(airlight_share_of(above, atmosphere.top_altitude));
 
-    // How far from the horizon; 1 + mu_h without cancellation.
     float horizon = airlight_horizon_cosine(radius, above);
-    float below_horizon = radius / (radius + above) * (radius / (radius + above)) / (1.0 - horizon);
+    float below_horizon = airlight_cosines_below_horizon(radius, above, horizon);
     float from_horizon =
         reaches_ground ? airlight_share_of(horizon - mu, below_horizon) : airlight_share_of(mu - horizon,
                                                                                             1.0 - horizon);
     float y = from_horizon > 0.0 ? pow(from_horizon, 0.2) : 0.0;
 
-    float lowest = airlight_bent_sun(lowest_sun);
-    float z = airlight_share_of(airlight_bent_sun(airlight_table_cosine(mu_s)) - lowest,
-                                airlight_bent_sun(1.0) - lowest);
+    float bend = airlight_sun_axis_bend;
+    float lowest = airlight_bent_sun(lowest_sun, bend);
+    float z = airlight_share_of(airlight_bent_sun(airlight_table_cosine(mu_s), bend) - lowest, 1.0 - lowest);
     return vec3(airlight_texture_from_unit(x, width),
                 airlight_texture_from_halves(y, !reaches_ground, height),
                 airlight_texture_from_unit(z, depth));
@@ -3627,17 +3670,17 @@ airlight_AltitudeViewSun airlight_inscatter_parameters(airlight_Atmosphere atmos
 
     bool reaches_ground = uvw.y <= 0.5;
     float horizon = airlight_horizon_cosine(radius, altitude);
-    float below_horizon = radius / (radius + altitude) * (radius / (radius + altitude)) / (1.0 - horizon);
+    float below_horizon = airlight_cosines_below_horizon(radius, altitude, horizon);
     float y = airlight_unit_from_halves(uvw.y, height);
     float from_horizon = y * y * (y * y) * y;
     float mu =
         reaches_ground ? horizon - from_horizon * below_horizon : horizon + from_horizon * (1.0 - horizon);
 
-    float lowest = airlight_bent_sun(lowest_sun);
-    float bent = lowest + airlight_unit_from_texture(uvw.z, depth) * (airlight_bent_sun(1.0) - lowest);
-    float mu_s = airlight_sun_axis_bend * bent / (1.0 - abs(bent));
-    return airlight_AltitudeViewSun(altitude, airlight_table_cosine(mu), airlight_table_cosine(mu_s),
-                                    reaches_ground);
+    float bend = airlight_sun_axis_bend;
+    float lowest = airlight_bent_sun(lowest_sun, bend);
+    float mu_s = airlight_sun_from_bent(lowest + airlight_unit_from_texture(uvw.z, depth) * (1.0 - lowest),
+                                        bend);
+    return airlight_AltitudeViewSun(altitude, airlight_table_cosine(mu), mu_s, reaches_ground);
 }
 
 // How much longer a ray to the ground is than the vertical one.
@@ -3871,9 +3914,9 @@ vec2 airlight_sky_view_uv(float ground_radius, float altitude, float mu, float a
                           bool reaches_ground, int width, int height) {
     float above = max(0.0, altitude);
     float horizon = airlight_horizon_cosine(ground_radius, above);
-    float share = ground_radius / (ground_radius + above);
-    // Squares of the half angles' sines, twice; that of the nadir without cancellation.
-    float to_horizon = reaches_ground ? share * share / (1.0 - horizon) : 1.0 - horizon;
+    // Squares of the half angles' sines, twice.
+    float below_horizon = airlight_cosines_below_horizon(ground_radius, above, horizon);
+    float to_horizon = reaches_ground ? below_horizon : 1.0 - horizon;
     float to_view = reaches_ground ? 1.0 + airlight_table_cosine(mu) : 1.0 - airlight_table_cosine(mu);
     float gone = reaches_ground ? horizon - mu : mu - horizon;
     float y = sqrt(airlight_share_of(gone, to_horizon + sqrt(to_horizon * to_view)));
@@ -3893,9 +3936,9 @@ airlight_SkyDirection airlight_sky_view_parameters(float ground_radius, float al
                                                    int height) {
     float above = max(0.0, altitude);
     float horizon = airlight_horizon_cosine(ground_radius, above);
-    float share = ground_radius / (ground_radius + above);
     bool reaches_ground = uv.y > 0.5;
-    float to_horizon = reaches_ground ? share * share / (1.0 - horizon) : 1.0 - horizon;
+    float below_horizon = airlight_cosines_below_horizon(ground_radius, above, horizon);
+    float to_horizon = reaches_ground ? below_horizon : 1.0 - horizon;
     float y = airlight_unit_from_halves(uv.y, height);
     float gone = to_horizon * (y * y) * (2.0 - y * y);
     float mu = reaches_ground ? horizon - gone : horizon + gone;
@@ -4281,8 +4324,7 @@ const float airlight_diffuse_table_dusk = 0.15;
 // Where the diffuse table is read: x by the sun's height, densest at dusk, y by altitude, densest at the
 // ground.
 //
-//     x = (1 + (1 + c) mu_s / (c + |mu_s|)) / 2,   y = sqrt(altitude / top_altitude),   c =
-//     diffuse_table_dusk
+//     x = (1 + s) / 2,   y = sqrt(altitude / top_altitude),   s = bent_sun(mu_s, diffuse_table_dusk)
 //
 // Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; result [1], in [0, 1].
 // Domain:   every altitude and cosine, see table_altitude; width and height >= 1.
@@ -4291,9 +4333,7 @@ const float airlight_diffuse_table_dusk = 0.15;
 // Source:   chosen: light from all sides changes most about sunset and low in the air.
 vec2 airlight_diffuse_table_uv(airlight_Atmosphere atmosphere, float altitude, float mu_s, int width,
                                int height) {
-    float c = airlight_diffuse_table_dusk;
-    float mu = airlight_table_cosine(mu_s);
-    float x = 0.5 + 0.5 * ((1.0 + c) * mu / (c + abs(mu)));
+    float x = 0.5 + 0.5 * airlight_bent_sun(airlight_table_cosine(mu_s), airlight_diffuse_table_dusk);
     float y = sqrt(airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude));
     return vec2(airlight_texture_from_unit(x, width), airlight_texture_from_unit(y, height));
 }
@@ -4307,11 +4347,10 @@ vec2 airlight_diffuse_table_uv(airlight_Atmosphere atmosphere, float altitude, f
 // Source:   diffuse_table_uv.
 airlight_AltitudeCosine airlight_diffuse_table_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
                                                           int height) {
-    float c = airlight_diffuse_table_dusk;
-    float x = 2.0 * airlight_unit_from_texture(uv.x, width) - 1.0;
+    float bent = 2.0 * airlight_unit_from_texture(uv.x, width) - 1.0;
     float y = airlight_unit_from_texture(uv.y, height);
-    float mu_s = c * x / (1.0 + c - abs(x));
-    return airlight_AltitudeCosine(y * y * atmosphere.top_altitude, clamp(mu_s, -1.0, 1.0));
+    return airlight_AltitudeCosine(y * y * atmosphere.top_altitude,
+                                   airlight_sun_from_bent(bent, airlight_diffuse_table_dusk));
 }
 
 // The least mean radiance that the diffuse table tells from darkness, and its logarithm [1/sr, 1].
@@ -5263,78 +5302,6 @@ airlight_Scattered airlight_scattering_of_table(airlight_Atmosphere atmosphere, 
     return airlight_Scattered(clamp(whole - transmitted * behind, nothing, whole), transmitted);
 }
 
-// ---- sky_view_table ---------------------------------------------------------
-
-// By how much a cosine has to exceed the horizon's for a ray to pass the ground in float [1]: ten roundoffs
-// of 1, a tenth of a second of arc.
-const float airlight_past_the_horizon = 6e-7;
-
-// The scene of a sky view: the vertical is z, the sun stands over x.
-struct airlight_SkyRay {
-    airlight_Viewpoint eye;  // over the z axis
-    vec3 direction;          // unit vector
-    vec3 to_sun;             // unit vector
-    float distance;          // [L] at which the view ends at the latest
-};
-
-// The ray of a texel. Whether it ends on the ground is what the table says, not what rounding makes of a ray
-// that grazes the horizon: one past it is lifted by past_the_horizon, one to the ground ends there at the
-// latest.
-//
-// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; lengths of the result [L].
-// Domain:   every altitude, below the ground it counts as 0; mu_s in [-1, 1]; seen is sky_view_parameters'.
-// Accuracy: 8 roundoffs.
-// Errors:   none.
-// Source:   sky_direction.
-airlight_SkyRay airlight_sky_view_ray(airlight_Atmosphere atmosphere, float altitude, float mu_s,
-                                      airlight_SkyDirection seen) {
-    float radius = atmosphere.ground_radius;
-    float above = max(altitude, 0.0);
-    vec3 up = vec3(0.0, 0.0, 1.0);
-    float cosine = airlight_table_cosine(mu_s);
-    vec3 to_sun = vec3(airlight_safe_sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine);
-    float horizon = airlight_horizon_cosine(radius, above);
-    float past = airlight_table_cosine(max(seen.mu, horizon + airlight_past_the_horizon));
-    float mu = seen.reaches_ground ? min(seen.mu, horizon) : past;
-    float distance = seen.reaches_ground ? airlight_horizon_distance(radius, above) : airlight_no_surface();
-    return airlight_SkyRay(airlight_Viewpoint(above, up),
-                           airlight_sky_direction(up, to_sun, mu, seen.azimuth_cosine), to_sun, distance);
-}
-
-// What a texel of a sky view holds: the radiance of the air along its ray.
-//
-// Units:    those of sky_view_ray; result [1/sr] per unit of solar irradiance above the air.
-// Shape:    the result is a spectrum.
-// Domain:   that of sky_view_ray.
-// Accuracy: that of all_scattering.
-// Errors:   none.
-// Source:   all_scattering.
-vec3 airlight_sky_view_texel(airlight_Atmosphere atmosphere, float altitude, float mu_s,
-                             airlight_SkyDirection seen) {
-    airlight_SkyRay ray = airlight_sky_view_ray(atmosphere, altitude, mu_s, seen);
-    airlight_Scattered light = airlight_all_scattering(atmosphere, ray.eye, ray.direction, ray.to_sun,
-                                                       ray.distance);
-    return light.radiance;
-}
-
-// Where the sky in a direction is read.
-//
-// Units:    altitude [L] of the eye; up, direction and to_sun unit vectors; width and height in texels;
-// result
-//           [1], in [0, 1].
-// Domain:   the eye for which the table was baked; width and height >= 1, height even.
-// Accuracy: that of sky_view_uv.
-// Errors:   none.
-// Source:   sky_view_uv; the ground as view_path sees it.
-vec2 airlight_sky_view_place(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
-                             vec3 to_sun, int width, int height) {
-    airlight_AirRay ray = airlight_air_ray(atmosphere, eye, direction, airlight_no_surface());
-    return airlight_sky_view_uv(atmosphere.ground_radius, eye.altitude,
-                                airlight_dot_product(eye.up, direction),
-                                airlight_sun_azimuth_cosine(eye.up, direction, to_sun), ray.reaches_ground,
-                                width, height);
-}
-
 // ---- froxel_table -----------------------------------------------------------
 
 // Hook: the froxels at texture coordinates, filtered over the screen and read at the centres of slices.
@@ -5443,8 +5410,7 @@ airlight_FroxelAir airlight_froxel_texel(airlight_Atmosphere atmosphere, airligh
 //
 // Units:    screen [1], in [0, 1]; distances [L]; sizes in texels.
 // Domain:   every distance, beyond max_distance it counts as there; slices is slices_linear or
-// slices_quadratic;
-//           sizes >= 1, depth >= 2.
+//           slices_quadratic; sizes >= 1, depth >= 2.
 // Accuracy: by size, docs/tables.md.
 // Errors:   none; a depth of 1 gives that slice.
 // Source:   integrated here.
@@ -5472,6 +5438,72 @@ airlight_Scattered airlight_froxel_light(vec2 screen, float distance, float max_
         weight * airlight_mean_passed(part, exp(-part)) / airlight_mean_passed(between, exp(-between));
     vec3 radiance = first.radiance + (second.radiance - first.radiance) * grown;
     return airlight_Scattered(max(radiance, none), exp(-(first.depth + part)));
+}
+
+// ---- sky_view_table ---------------------------------------------------------
+
+// The scene of a sky view: the vertical is z, the sun stands over x.
+struct airlight_SkyRay {
+    airlight_Viewpoint eye;  // over the z axis
+    vec3 direction;          // unit vector
+    vec3 to_sun;             // unit vector
+    float distance;          // [L] at which the view ends at the latest
+};
+
+// The ray of a texel. Whether it ends on the ground is what the table says, not what rounding makes of a ray
+// that grazes the horizon: one past it is lifted by past_the_horizon, one to the ground ends there at the
+// latest.
+//
+// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; lengths of the result [L].
+// Domain:   every altitude, below the ground it counts as 0; mu_s in [-1, 1]; seen is sky_view_parameters'.
+// Accuracy: 8 roundoffs.
+// Errors:   none.
+// Source:   sky_direction.
+airlight_SkyRay airlight_sky_view_ray(airlight_Atmosphere atmosphere, float altitude, float mu_s,
+                                      airlight_SkyDirection seen) {
+    float radius = atmosphere.ground_radius;
+    float above = max(altitude, 0.0);
+    vec3 up = vec3(0.0, 0.0, 1.0);
+    vec3 to_sun = airlight_sun_over_x(mu_s);
+    float horizon = airlight_horizon_cosine(radius, above);
+    float past = airlight_table_cosine(max(seen.mu, horizon + airlight_past_the_horizon));
+    float mu = seen.reaches_ground ? min(seen.mu, horizon) : past;
+    float distance = seen.reaches_ground ? airlight_horizon_distance(radius, above) : airlight_no_surface();
+    return airlight_SkyRay(airlight_Viewpoint(above, up),
+                           airlight_sky_direction(up, to_sun, mu, seen.azimuth_cosine), to_sun, distance);
+}
+
+// What a texel of a sky view holds: the radiance of the air along its ray.
+//
+// Units:    those of sky_view_ray; result [1/sr] per unit of solar irradiance above the air.
+// Shape:    the result is a spectrum.
+// Domain:   that of sky_view_ray.
+// Accuracy: that of all_scattering.
+// Errors:   none.
+// Source:   all_scattering.
+vec3 airlight_sky_view_texel(airlight_Atmosphere atmosphere, float altitude, float mu_s,
+                             airlight_SkyDirection seen) {
+    airlight_SkyRay ray = airlight_sky_view_ray(atmosphere, altitude, mu_s, seen);
+    airlight_Scattered light = airlight_all_scattering(atmosphere, ray.eye, ray.direction, ray.to_sun,
+                                                       ray.distance);
+    return light.radiance;
+}
+
+// Where the sky in a direction is read.
+//
+// Units:    altitude [L] of the eye; up, direction and to_sun unit vectors; width and height in texels;
+//           result [1], in [0, 1].
+// Domain:   the eye for which the table was baked; width and height >= 1, height even.
+// Accuracy: that of sky_view_uv.
+// Errors:   none.
+// Source:   sky_view_uv; the ground as view_path sees it.
+vec2 airlight_sky_view_place(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
+                             vec3 to_sun, int width, int height) {
+    airlight_AirRay ray = airlight_air_ray(atmosphere, eye, direction, airlight_no_surface());
+    return airlight_sky_view_uv(atmosphere.ground_radius, eye.altitude,
+                                airlight_dot_product(eye.up, direction),
+                                airlight_sun_azimuth_cosine(eye.up, direction, to_sun), ray.reaches_ground,
+                                width, height);
 }
 
 // ---- compose ----------------------------------------------------------------

@@ -12,8 +12,7 @@ const float airlight_diffuse_table_dusk = 0.15;
 // Where the diffuse table is read: x by the sun's height, densest at dusk, y by altitude, densest at the
 // ground.
 //
-//     x = (1 + (1 + c) mu_s / (c + |mu_s|)) / 2,   y = sqrt(altitude / top_altitude),   c =
-//     diffuse_table_dusk
+//     x = (1 + s) / 2,   y = sqrt(altitude / top_altitude),   s = bent_sun(mu_s, diffuse_table_dusk)
 //
 // Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; result [1], in [0, 1].
 // Domain:   every altitude and cosine, see table_altitude; width and height >= 1.
@@ -22,9 +21,7 @@ const float airlight_diffuse_table_dusk = 0.15;
 // Source:   chosen: light from all sides changes most about sunset and low in the air.
 vec2 airlight_diffuse_table_uv(airlight_Atmosphere atmosphere, float altitude, float mu_s, int width,
                                int height) {
-    float c = airlight_diffuse_table_dusk;
-    float mu = airlight_table_cosine(mu_s);
-    float x = 0.5 + 0.5 * ((1.0 + c) * mu / (c + abs(mu)));
+    float x = 0.5 + 0.5 * airlight_bent_sun(airlight_table_cosine(mu_s), airlight_diffuse_table_dusk);
     float y = sqrt(airlight_share_of(airlight_table_altitude(atmosphere, altitude), atmosphere.top_altitude));
     return vec2(airlight_texture_from_unit(x, width), airlight_texture_from_unit(y, height));
 }
@@ -38,11 +35,10 @@ vec2 airlight_diffuse_table_uv(airlight_Atmosphere atmosphere, float altitude, f
 // Source:   diffuse_table_uv.
 airlight_AltitudeCosine airlight_diffuse_table_parameters(airlight_Atmosphere atmosphere, vec2 uv, int width,
                                                           int height) {
-    float c = airlight_diffuse_table_dusk;
-    float x = 2.0 * airlight_unit_from_texture(uv.x, width) - 1.0;
+    float bent = 2.0 * airlight_unit_from_texture(uv.x, width) - 1.0;
     float y = airlight_unit_from_texture(uv.y, height);
-    float mu_s = c * x / (1.0 + c - abs(x));
-    return airlight_AltitudeCosine(y * y * atmosphere.top_altitude, clamp(mu_s, -1.0, 1.0));
+    return airlight_AltitudeCosine(y * y * atmosphere.top_altitude,
+                                   airlight_sun_from_bent(bent, airlight_diffuse_table_dusk));
 }
 
 // The least mean radiance that the diffuse table tells from darkness, and its logarithm [1/sr, 1].

@@ -3,7 +3,7 @@
 #define AIRLIGHT_FROXEL_TABLE_GLSL
 
 #include "airlight/multiple_scattering.glsl"
-#include "airlight/sky_view_table.glsl"
+#include "airlight/sky_view_mapping.glsl"
 
 // Hook: light from all sides at an altitude where the cosine between the sun and the vertical is `mu_s`,
 // per unit of solar irradiance above the air.
@@ -124,8 +124,7 @@ airlight_FroxelAir airlight_froxel_texel(airlight_Atmosphere atmosphere, airligh
 //
 // Units:    screen [1], in [0, 1]; distances [L]; sizes in texels.
 // Domain:   every distance, beyond max_distance it counts as there; slices is slices_linear or
-// slices_quadratic;
-//           sizes >= 1, depth >= 2.
+//           slices_quadratic; sizes >= 1, depth >= 2.
 // Accuracy: by size, docs/tables.md.
 // Errors:   none; a depth of 1 gives that slice.
 // Source:   integrated here.

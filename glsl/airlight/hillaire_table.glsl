@@ -130,8 +130,7 @@ vec3 airlight_hillaire_texel(airlight_Atmosphere atmosphere, float altitude, flo
     airlight_Layers layers = airlight_layers_of(atmosphere);
     airlight_Viewpoint eye = airlight_Viewpoint(airlight_table_altitude(atmosphere, altitude),
                                                 vec3(0.0, 0.0, 1.0));
-    float cosine = airlight_table_cosine(mu_s);
-    vec3 to_sun = vec3(airlight_safe_sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine);
+    vec3 to_sun = airlight_sun_over_x(mu_s);
 
     vec3 light = vec3(0.0, 0.0, 0.0);
     vec3 share = vec3(0.0, 0.0, 0.0);

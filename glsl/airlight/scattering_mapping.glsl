@@ -2,7 +2,6 @@
 #ifndef AIRLIGHT_SCATTERING_MAPPING_GLSL
 #define AIRLIGHT_SCATTERING_MAPPING_GLSL
 
-#include "airlight/constants.glsl"
 #include "airlight/table_mapping.glsl"
 
 // A point of a table over altitude, view direction and sun.
@@ -55,41 +54,6 @@ float airlight_lowest_sun_cosine(airlight_Atmosphere atmosphere) {
 // as at the zenith, as the tangent in its source is.
 const float airlight_sun_axis_bend = 0.225;
 
-// The sun's height, bent so that the horizon gets more room: mu / (|mu| + bend).
-//
-// Units:    mu_s [1]; result [1], in (-1, 1).
-// Domain:   mu_s in [-1, 1].
-// Accuracy: 3 roundoffs.
-// Errors:   none.
-// Source:   stands in for the arc tangent of the source of inscatter_uvw.
-float airlight_bent_sun(float mu_s) {
-    return mu_s / (abs(mu_s) + airlight_sun_axis_bend);
-}
-
-// Texture coordinate of an axis whose lower and upper half are tables of their own, so that filtering
-// never mixes them: x = 0 is where they meet, 1 the far end.
-//
-// Units:    x [1]; size in texels; result [1].
-// Domain:   size even, at least 2.
-// Accuracy: 3 roundoffs.
-// Errors:   none.
-// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl.
-float airlight_texture_from_halves(float x, bool upper, int size) {
-    float within = 0.5 * airlight_texture_from_unit(x, size / 2);
-    return upper ? 0.5 + within : 0.5 - within;
-}
-
-// The x of texture_from_halves; the half is the upper one where u > 1/2.
-//
-// Units:    u [1]; size in texels; result [1], in [0, 1].
-// Domain:   size even, at least 2.
-// Accuracy: 3 roundoffs of size.
-// Errors:   none.
-// Source:   as texture_from_halves.
-float airlight_unit_from_halves(float u, int size) {
-    return airlight_unit_from_texture(abs(2.0 * u - 1.0), size / 2);
-}
-
 // Where a table over altitude (x), view (y) and sun (z) is read, all three even.
 //
 //     x = altitude / top_altitude,   y = (1 + mu) / 2,   z = (1 + mu_s) / 2
@@ -128,7 +92,7 @@ airlight_AltitudeViewSun airlight_linear_inscatter_parameters(airlight_Atmospher
 //     x = sqrt(altitude / top_altitude)
 //     y = 1/2 + ((mu - mu_h) / (1 - mu_h))^(1/5) / 2      above the horizon
 //     y = 1/2 - ((mu_h - mu) / (1 + mu_h))^(1/5) / 2      on the ground
-//     z = (s(mu_s) - s(lowest_sun)) / (s(1) - s(lowest_sun)),   s(mu) = mu / (|mu| + bend)
+//     z = (s(mu_s) - s(lowest_sun)) / (1 - s(lowest_sun)),   s = bent_sun
 //
 // The sources have an arc tangent for z, which shaders compute as they like; s has its shape.
 //
@@ -146,17 +110,16 @@ vec3 airlight_inscatter_uvw(airlight_Atmosphere atmosphere, float altitude, floa
     float above = airlight_table_altitude(atmosphere, altitude);
     float x = sqrt(airlight_share_of(above, atmosphere.top_altitude));
 
-    // How far from the horizon; 1 + mu_h without cancellation.
     float horizon = airlight_horizon_cosine(radius, above);
-    float below_horizon = radius / (radius + above) * (radius / (radius + above)) / (1.0 - horizon);
+    float below_horizon = airlight_cosines_below_horizon(radius, above, horizon);
     float from_horizon =
         reaches_ground ? airlight_share_of(horizon - mu, below_horizon) : airlight_share_of(mu - horizon,
                                                                                             1.0 - horizon);
     float y = from_horizon > 0.0 ? pow(from_horizon, 0.2) : 0.0;
 
-    float lowest = airlight_bent_sun(lowest_sun);
-    float z = airlight_share_of(airlight_bent_sun(airlight_table_cosine(mu_s)) - lowest,
-                                airlight_bent_sun(1.0) - lowest);
+    float bend = airlight_sun_axis_bend;
+    float lowest = airlight_bent_sun(lowest_sun, bend);
+    float z = airlight_share_of(airlight_bent_sun(airlight_table_cosine(mu_s), bend) - lowest, 1.0 - lowest);
     return vec3(airlight_texture_from_unit(x, width),
                 airlight_texture_from_halves(y, !reaches_ground, height),
                 airlight_texture_from_unit(z, depth));
@@ -177,17 +140,17 @@ airlight_AltitudeViewSun airlight_inscatter_parameters(airlight_Atmosphere atmos
 
     bool reaches_ground = uvw.y <= 0.5;
     float horizon = airlight_horizon_cosine(radius, altitude);
-    float below_horizon = radius / (radius + altitude) * (radius / (radius + altitude)) / (1.0 - horizon);
+    float below_horizon = airlight_cosines_below_horizon(radius, altitude, horizon);
     float y = airlight_unit_from_halves(uvw.y, height);
     float from_horizon = y * y * (y * y) * y;
     float mu =
         reaches_ground ? horizon - from_horizon * below_horizon : horizon + from_horizon * (1.0 - horizon);
 
-    float lowest = airlight_bent_sun(lowest_sun);
-    float bent = lowest + airlight_unit_from_texture(uvw.z, depth) * (airlight_bent_sun(1.0) - lowest);
-    float mu_s = airlight_sun_axis_bend * bent / (1.0 - abs(bent));
-    return airlight_AltitudeViewSun(altitude, airlight_table_cosine(mu), airlight_table_cosine(mu_s),
-                                    reaches_ground);
+    float bend = airlight_sun_axis_bend;
+    float lowest = airlight_bent_sun(lowest_sun, bend);
+    float mu_s = airlight_sun_from_bent(lowest + airlight_unit_from_texture(uvw.z, depth) * (1.0 - lowest),
+                                        bend);
+    return airlight_AltitudeViewSun(altitude, airlight_table_cosine(mu), mu_s, reaches_ground);
 }
 
 // How much longer a ray to the ground is than the vertical one.

@@ -2,7 +2,6 @@
 #ifndef AIRLIGHT_SKY_VIEW_MAPPING_GLSL
 #define AIRLIGHT_SKY_VIEW_MAPPING_GLSL
 
-#include "airlight/scattering_mapping.glsl"
 #include "airlight/table_mapping.glsl"
 
 // A direction around an eye, the sun ahead.
@@ -80,9 +79,9 @@ vec2 airlight_sky_view_uv(float ground_radius, float altitude, float mu, float a
                           bool reaches_ground, int width, int height) {
     float above = max(0.0, altitude);
     float horizon = airlight_horizon_cosine(ground_radius, above);
-    float share = ground_radius / (ground_radius + above);
-    // Squares of the half angles' sines, twice; that of the nadir without cancellation.
-    float to_horizon = reaches_ground ? share * share / (1.0 - horizon) : 1.0 - horizon;
+    // Squares of the half angles' sines, twice.
+    float below_horizon = airlight_cosines_below_horizon(ground_radius, above, horizon);
+    float to_horizon = reaches_ground ? below_horizon : 1.0 - horizon;
     float to_view = reaches_ground ? 1.0 + airlight_table_cosine(mu) : 1.0 - airlight_table_cosine(mu);
     float gone = reaches_ground ? horizon - mu : mu - horizon;
     float y = sqrt(airlight_share_of(gone, to_horizon + sqrt(to_horizon * to_view)));
@@ -102,9 +101,9 @@ airlight_SkyDirection airlight_sky_view_parameters(float ground_radius, float al
                                                    int height) {
     float above = max(0.0, altitude);
     float horizon = airlight_horizon_cosine(ground_radius, above);
-    float share = ground_radius / (ground_radius + above);
     bool reaches_ground = uv.y > 0.5;
-    float to_horizon = reaches_ground ? share * share / (1.0 - horizon) : 1.0 - horizon;
+    float below_horizon = airlight_cosines_below_horizon(ground_radius, above, horizon);
+    float to_horizon = reaches_ground ? below_horizon : 1.0 - horizon;
     float y = airlight_unit_from_halves(uv.y, height);
     float gone = to_horizon * (y * y) * (2.0 - y * y);
     float mu = reaches_ground ? horizon - gone : horizon + gone;

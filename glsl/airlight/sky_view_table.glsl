@@ -18,10 +18,6 @@
 #define AIRLIGHT_VISIBILITY(position) 1.0
 #endif
 
-// By how much a cosine has to exceed the horizon's for a ray to pass the ground in float [1]: ten roundoffs
-// of 1, a tenth of a second of arc.
-const float airlight_past_the_horizon = 6e-7;
-
 // The scene of a sky view: the vertical is z, the sun stands over x.
 struct airlight_SkyRay {
     airlight_Viewpoint eye;  // over the z axis
@@ -44,8 +40,7 @@ airlight_SkyRay airlight_sky_view_ray(airlight_Atmosphere atmosphere, float alti
     float radius = atmosphere.ground_radius;
     float above = max(altitude, 0.0);
     vec3 up = vec3(0.0, 0.0, 1.0);
-    float cosine = airlight_table_cosine(mu_s);
-    vec3 to_sun = vec3(airlight_safe_sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine);
+    vec3 to_sun = airlight_sun_over_x(mu_s);
     float horizon = airlight_horizon_cosine(radius, above);
     float past = airlight_table_cosine(max(seen.mu, horizon + airlight_past_the_horizon));
     float mu = seen.reaches_ground ? min(seen.mu, horizon) : past;
@@ -73,8 +68,7 @@ vec3 airlight_sky_view_texel(airlight_Atmosphere atmosphere, float altitude, flo
 // Where the sky in a direction is read.
 //
 // Units:    altitude [L] of the eye; up, direction and to_sun unit vectors; width and height in texels;
-// result
-//           [1], in [0, 1].
+//           result [1], in [0, 1].
 // Domain:   the eye for which the table was baked; width and height >= 1, height even.
 // Accuracy: that of sky_view_uv.
 // Errors:   none.

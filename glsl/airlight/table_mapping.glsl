@@ -71,6 +71,55 @@ float airlight_table_cosine(float mu) {
     return min(max(-1.0, mu), 1.0);
 }
 
+// Texture coordinate of an axis whose lower and upper half are tables of their own, so that filtering
+// never mixes them: x = 0 is where they meet, 1 the far end.
+//
+// Units:    x [1]; size in texels; result [1].
+// Domain:   size even, at least 2.
+// Accuracy: 3 roundoffs.
+// Errors:   none.
+// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl.
+float airlight_texture_from_halves(float x, bool upper, int size) {
+    float within = 0.5 * airlight_texture_from_unit(x, size / 2);
+    return upper ? 0.5 + within : 0.5 - within;
+}
+
+// The x of texture_from_halves; the half is the upper one where u > 1/2.
+//
+// Units:    u [1]; size in texels; result [1], in [0, 1].
+// Domain:   size even, at least 2.
+// Accuracy: 3 roundoffs of size.
+// Errors:   none.
+// Source:   as texture_from_halves.
+float airlight_unit_from_halves(float u, int size) {
+    return airlight_unit_from_texture(abs(2.0 * u - 1.0), size / 2);
+}
+
+// The sun's height, bent so that the horizon gets more room: there (1 + 1 / bend)^2 times as much as at the
+// zenith.
+//
+//     (1 + bend) mu / (|mu| + bend)
+//
+// Units:    mu_s and bend [1]; result [1], in [-1, 1].
+// Domain:   mu_s in [-1, 1]; bend > 0.
+// Accuracy: 4 roundoffs.
+// Errors:   none.
+// Source:   chosen: the shape of the arc tangents in the sources of inscatter_uvw, by arithmetic alone.
+float airlight_bent_sun(float mu_s, float bend) {
+    return (1.0 + bend) * mu_s / (bend + abs(mu_s));
+}
+
+// The inverse of bent_sun.
+//
+// Units:    bent and bend [1]; result [1], in [-1, 1].
+// Domain:   bent in [-1, 1]; bend > 0.
+// Accuracy: 4 roundoffs, and 1 + bend over bend times that of bent.
+// Errors:   none.
+// Source:   as bent_sun.
+float airlight_sun_from_bent(float bent, float bend) {
+    return airlight_table_cosine(bend * bent / (bend + (1.0 - abs(bent))));
+}
+
 // Distance from a point to its horizon on the ground sphere.
 //
 // Units:    ground_radius, altitude and result [L].
@@ -105,6 +154,37 @@ float airlight_altitude_of_horizon(float ground_radius, float distance) {
 // Source:   definition.
 float airlight_horizon_cosine(float ground_radius, float altitude) {
     return -airlight_horizon_distance(ground_radius, altitude) / (ground_radius + altitude);
+}
+
+// How far the cosines between the horizon and the nadir reach: 1 + horizon_cosine, which would cancel far
+// away.
+//
+//     1 + mu_h = (R / (R + h))^2 / (1 - mu_h)
+//
+// Units:    ground_radius and altitude [L]; horizon, the horizon_cosine of both, and result [1].
+// Domain:   ground_radius > 0; altitude >= 0.
+// Accuracy: 8 roundoffs.
+// Errors:   none.
+// Source:   difference of squares.
+float airlight_cosines_below_horizon(float ground_radius, float altitude, float horizon) {
+    float share = ground_radius / (ground_radius + altitude);
+    return share * share / (1.0 - horizon);
+}
+
+// By how much a cosine has to exceed the horizon's for a ray to pass the ground in float [1]: ten roundoffs
+// of 1, a tenth of a second of arc.
+const float airlight_past_the_horizon = 6e-7;
+
+// The sun at a height, in the frame in which tables are filled: the vertical is z, the sun stands over x.
+//
+// Units:    mu_s [1], cosine between the sun and the vertical; result a unit vector.
+// Domain:   every number, see table_cosine.
+// Accuracy: 3 roundoffs.
+// Errors:   none.
+// Source:   Pythagoras.
+vec3 airlight_sun_over_x(float mu_s) {
+    float cosine = airlight_table_cosine(mu_s);
+    return vec3(airlight_safe_sqrt((1.0 - cosine) * (1.0 + cosine)), 0.0, cosine);
 }
 
 // How much longer a ray to the top of the air is than the vertical one.

@@ -13,8 +13,7 @@ inline constexpr T diffuse_table_dusk = T(0.15L);
 /// Where the diffuse table is read: x by the sun's height, densest at dusk, y by altitude, densest at the
 /// ground.
 ///
-///     x = (1 + (1 + c) mu_s / (c + |mu_s|)) / 2,   y = sqrt(altitude / top_altitude),   c =
-///     diffuse_table_dusk
+///     x = (1 + s) / 2,   y = sqrt(altitude / top_altitude),   s = bent_sun(mu_s, diffuse_table_dusk)
 ///
 /// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; result [1], in [0, 1].
 /// Domain:   every altitude and cosine, see table_altitude; width and height >= 1.
@@ -23,9 +22,7 @@ inline constexpr T diffuse_table_dusk = T(0.15L);
 /// Source:   chosen: light from all sides changes most about sunset and low in the air.
 template <typename T>
 vec2<T> diffuse_table_uv(const Atmosphere<T>& atmosphere, T altitude, T mu_s, int width, int height) {
-    const T c = diffuse_table_dusk<T>;
-    const T mu = table_cosine(mu_s);
-    const T x = T(0.5) + T(0.5) * ((T(1) + c) * mu / (c + glm::abs(mu)));
+    const T x = T(0.5) + T(0.5) * bent_sun(table_cosine(mu_s), diffuse_table_dusk<T>);
     const T y = glm::sqrt(share_of(table_altitude(atmosphere, altitude), atmosphere.top_altitude));
     return vec2<T>(texture_from_unit(x, width), texture_from_unit(y, height));
 }
@@ -40,11 +37,9 @@ vec2<T> diffuse_table_uv(const Atmosphere<T>& atmosphere, T altitude, T mu_s, in
 template <typename T>
 AltitudeCosine<T> diffuse_table_parameters(const Atmosphere<T>& atmosphere, const vec2<T>& uv, int width,
                                            int height) {
-    const T c = diffuse_table_dusk<T>;
-    const T x = T(2) * unit_from_texture(uv.x, width) - T(1);
+    const T bent = T(2) * unit_from_texture(uv.x, width) - T(1);
     const T y = unit_from_texture(uv.y, height);
-    const T mu_s = c * x / (T(1) + c - glm::abs(x));
-    return AltitudeCosine<T>{y * y * atmosphere.top_altitude, glm::clamp(mu_s, T(-1), T(1))};
+    return AltitudeCosine<T>{y * y * atmosphere.top_altitude, sun_from_bent(bent, diffuse_table_dusk<T>)};
 }
 
 /// The least mean radiance that the diffuse table tells from darkness, and its logarithm [1/sr, 1].

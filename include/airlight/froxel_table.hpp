@@ -4,7 +4,7 @@
 // distance of each slice.
 
 #include <airlight/multiple_scattering.hpp>
-#include <airlight/sky_view_table.hpp>
+#include <airlight/sky_view_mapping.hpp>
 
 namespace airlight {
 
@@ -125,8 +125,7 @@ struct NoFroxels {
 ///
 /// Units:    screen [1], in [0, 1]; distances [L]; sizes in texels.
 /// Domain:   every distance, beyond max_distance it counts as there; slices is slices_linear or
-/// slices_quadratic;
-///           sizes >= 1, depth >= 2.
+///           slices_quadratic; sizes >= 1, depth >= 2.
 /// Accuracy: by size, docs/tables.md.
 /// Errors:   none; a depth of 1 gives that slice.
 /// Source:   integrated here.

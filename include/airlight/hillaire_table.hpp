@@ -136,8 +136,7 @@ vec3<T> hillaire_texel(const Atmosphere<T>& atmosphere, T altitude, T mu_s, int 
                        int steps) {
     const Layers<T> layers = layers_of<T, Scene>(atmosphere);
     const Viewpoint<T> eye = Viewpoint<T>{table_altitude(atmosphere, altitude), vec3<T>(T(0), T(0), T(1))};
-    const T cosine = table_cosine(mu_s);
-    const vec3<T> to_sun = vec3<T>(safe_sqrt((T(1) - cosine) * (T(1) + cosine)), T(0), cosine);
+    const vec3<T> to_sun = sun_over_x(mu_s);
 
     vec3<T> light = vec3<T>(T(0), T(0), T(0));
     vec3<T> share = vec3<T>(T(0), T(0), T(0));

@@ -3,7 +3,6 @@
 // Where tables of scattered light keep what: three dimensions (altitude, view, sun), and four of them
 // packed into three (the angle between view and sun too).
 
-#include <airlight/constants.hpp>
 #include <airlight/table_mapping.hpp>
 
 namespace airlight {
@@ -63,44 +62,6 @@ T lowest_sun_cosine(const Atmosphere<T>& atmosphere) {
 template <typename T>
 inline constexpr T sun_axis_bend = T(0.225L);
 
-/// The sun's height, bent so that the horizon gets more room: mu / (|mu| + bend).
-///
-/// Units:    mu_s [1]; result [1], in (-1, 1).
-/// Domain:   mu_s in [-1, 1].
-/// Accuracy: 3 roundoffs.
-/// Errors:   none.
-/// Source:   stands in for the arc tangent of the source of inscatter_uvw.
-template <typename T>
-T bent_sun(T mu_s) {
-    return mu_s / (glm::abs(mu_s) + sun_axis_bend<T>);
-}
-
-/// Texture coordinate of an axis whose lower and upper half are tables of their own, so that filtering
-/// never mixes them: x = 0 is where they meet, 1 the far end.
-///
-/// Units:    x [1]; size in texels; result [1].
-/// Domain:   size even, at least 2.
-/// Accuracy: 3 roundoffs.
-/// Errors:   none.
-/// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl.
-template <typename T>
-T texture_from_halves(T x, bool upper, int size) {
-    const T within = T(0.5) * texture_from_unit(x, size / 2);
-    return upper ? T(0.5) + within : T(0.5) - within;
-}
-
-/// The x of texture_from_halves; the half is the upper one where u > 1/2.
-///
-/// Units:    u [1]; size in texels; result [1], in [0, 1].
-/// Domain:   size even, at least 2.
-/// Accuracy: 3 roundoffs of size.
-/// Errors:   none.
-/// Source:   as texture_from_halves.
-template <typename T>
-T unit_from_halves(T u, int size) {
-    return unit_from_texture(glm::abs(T(2) * u - T(1)), size / 2);
-}
-
 /// Where a table over altitude (x), view (y) and sun (z) is read, all three even.
 ///
 ///     x = altitude / top_altitude,   y = (1 + mu) / 2,   z = (1 + mu_s) / 2
@@ -140,7 +101,7 @@ AltitudeViewSun<T> linear_inscatter_parameters(const Atmosphere<T>& atmosphere, 
 ///     x = sqrt(altitude / top_altitude)
 ///     y = 1/2 + ((mu - mu_h) / (1 - mu_h))^(1/5) / 2      above the horizon
 ///     y = 1/2 - ((mu_h - mu) / (1 + mu_h))^(1/5) / 2      on the ground
-///     z = (s(mu_s) - s(lowest_sun)) / (s(1) - s(lowest_sun)),   s(mu) = mu / (|mu| + bend)
+///     z = (s(mu_s) - s(lowest_sun)) / (1 - s(lowest_sun)),   s = bent_sun
 ///
 /// The sources have an arc tangent for z, which shaders compute as they like; s has its shape.
 ///
@@ -159,15 +120,15 @@ vec3<T> inscatter_uvw(const Atmosphere<T>& atmosphere, T altitude, T mu, T mu_s,
     const T above = table_altitude(atmosphere, altitude);
     const T x = glm::sqrt(share_of(above, atmosphere.top_altitude));
 
-    // How far from the horizon; 1 + mu_h without cancellation.
     const T horizon = horizon_cosine(radius, above);
-    const T below_horizon = radius / (radius + above) * (radius / (radius + above)) / (T(1) - horizon);
+    const T below_horizon = cosines_below_horizon(radius, above, horizon);
     const T from_horizon =
         reaches_ground ? share_of(horizon - mu, below_horizon) : share_of(mu - horizon, T(1) - horizon);
     const T y = from_horizon > T(0) ? glm::pow(from_horizon, T(0.2L)) : T(0);
 
-    const T lowest = bent_sun(lowest_sun);
-    const T z = share_of(bent_sun(table_cosine(mu_s)) - lowest, bent_sun(T(1)) - lowest);
+    const T bend = sun_axis_bend<T>;
+    const T lowest = bent_sun(lowest_sun, bend);
+    const T z = share_of(bent_sun(table_cosine(mu_s), bend) - lowest, T(1) - lowest);
     return vec3<T>(texture_from_unit(x, width), texture_from_halves(y, !reaches_ground, height),
                    texture_from_unit(z, depth));
 }
@@ -188,16 +149,16 @@ AltitudeViewSun<T> inscatter_parameters(const Atmosphere<T>& atmosphere, const v
 
     const bool reaches_ground = uvw.y <= T(0.5);
     const T horizon = horizon_cosine(radius, altitude);
-    const T below_horizon = radius / (radius + altitude) * (radius / (radius + altitude)) / (T(1) - horizon);
+    const T below_horizon = cosines_below_horizon(radius, altitude, horizon);
     const T y = unit_from_halves(uvw.y, height);
     const T from_horizon = y * y * (y * y) * y;
     const T mu =
         reaches_ground ? horizon - from_horizon * below_horizon : horizon + from_horizon * (T(1) - horizon);
 
-    const T lowest = bent_sun(lowest_sun);
-    const T bent = lowest + unit_from_texture(uvw.z, depth) * (bent_sun(T(1)) - lowest);
-    const T mu_s = sun_axis_bend<T> * bent / (T(1) - glm::abs(bent));
-    return AltitudeViewSun<T>{altitude, table_cosine(mu), table_cosine(mu_s), reaches_ground};
+    const T bend = sun_axis_bend<T>;
+    const T lowest = bent_sun(lowest_sun, bend);
+    const T mu_s = sun_from_bent(lowest + unit_from_texture(uvw.z, depth) * (T(1) - lowest), bend);
+    return AltitudeViewSun<T>{altitude, table_cosine(mu), mu_s, reaches_ground};
 }
 
 /// How much longer a ray to the ground is than the vertical one.

@@ -2,7 +2,6 @@
 
 // Where the tables of one frame keep what: the sky around an eye, and the air in front of a camera.
 
-#include <airlight/scattering_mapping.hpp>
 #include <airlight/table_mapping.hpp>
 
 namespace airlight {
@@ -87,9 +86,9 @@ vec2<T> sky_view_uv(T ground_radius, T altitude, T mu, T azimuth_cosine, bool re
                     int height) {
     const T above = glm::max(T(0), altitude);
     const T horizon = horizon_cosine(ground_radius, above);
-    const T share = ground_radius / (ground_radius + above);
-    // Squares of the half angles' sines, twice; that of the nadir without cancellation.
-    const T to_horizon = reaches_ground ? share * share / (T(1) - horizon) : T(1) - horizon;
+    // Squares of the half angles' sines, twice.
+    const T below_horizon = cosines_below_horizon(ground_radius, above, horizon);
+    const T to_horizon = reaches_ground ? below_horizon : T(1) - horizon;
     const T to_view = reaches_ground ? T(1) + table_cosine(mu) : T(1) - table_cosine(mu);
     const T gone = reaches_ground ? horizon - mu : mu - horizon;
     const T y = glm::sqrt(share_of(gone, to_horizon + glm::sqrt(to_horizon * to_view)));
@@ -108,9 +107,9 @@ template <typename T>
 SkyDirection<T> sky_view_parameters(T ground_radius, T altitude, const vec2<T>& uv, int width, int height) {
     const T above = glm::max(T(0), altitude);
     const T horizon = horizon_cosine(ground_radius, above);
-    const T share = ground_radius / (ground_radius + above);
     const bool reaches_ground = uv.y > T(0.5);
-    const T to_horizon = reaches_ground ? share * share / (T(1) - horizon) : T(1) - horizon;
+    const T below_horizon = cosines_below_horizon(ground_radius, above, horizon);
+    const T to_horizon = reaches_ground ? below_horizon : T(1) - horizon;
     const T y = unit_from_halves(uv.y, height);
     const T gone = to_horizon * (y * y) * (T(2) - y * y);
     const T mu = reaches_ground ? horizon - gone : horizon + gone;

@@ -8,11 +8,6 @@
 
 namespace airlight {
 
-/// By how much a cosine has to exceed the horizon's for a ray to pass the ground in float [1]: ten roundoffs
-/// of 1, a tenth of a second of arc.
-template <typename T>
-inline constexpr T past_the_horizon = T(6e-7L);
-
 /// The scene of a sky view: the vertical is z, the sun stands over x.
 template <typename T>
 struct SkyRay {
@@ -36,8 +31,7 @@ SkyRay<T> sky_view_ray(const Atmosphere<T>& atmosphere, T altitude, T mu_s, cons
     const T radius = atmosphere.ground_radius;
     const T above = glm::max(altitude, T(0));
     const vec3<T> up = vec3<T>(T(0), T(0), T(1));
-    const T cosine = table_cosine(mu_s);
-    const vec3<T> to_sun = vec3<T>(safe_sqrt((T(1) - cosine) * (T(1) + cosine)), T(0), cosine);
+    const vec3<T> to_sun = sun_over_x(mu_s);
     const T horizon = horizon_cosine(radius, above);
     const T past = table_cosine(glm::max(seen.mu, horizon + past_the_horizon<T>));
     const T mu = seen.reaches_ground ? glm::min(seen.mu, horizon) : past;
@@ -68,8 +62,7 @@ vec3<T> sky_view_texel(const Atmosphere<T>& atmosphere, T altitude, T mu_s, cons
 /// Where the sky in a direction is read.
 ///
 /// Units:    altitude [L] of the eye; up, direction and to_sun unit vectors; width and height in texels;
-/// result
-///           [1], in [0, 1].
+///           result [1], in [0, 1].
 /// Domain:   the eye for which the table was baked; width and height >= 1, height even.
 /// Accuracy: that of sky_view_uv.
 /// Errors:   none.

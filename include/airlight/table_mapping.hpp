@@ -82,6 +82,59 @@ T table_cosine(T mu) {
     return glm::min(glm::max(T(-1), mu), T(1));
 }
 
+/// Texture coordinate of an axis whose lower and upper half are tables of their own, so that filtering
+/// never mixes them: x = 0 is where they meet, 1 the far end.
+///
+/// Units:    x [1]; size in texels; result [1].
+/// Domain:   size even, at least 2.
+/// Accuracy: 3 roundoffs.
+/// Errors:   none.
+/// Source:   Bruneton, precomputed_atmospheric_scattering (2017), functions.glsl.
+template <typename T>
+T texture_from_halves(T x, bool upper, int size) {
+    const T within = T(0.5) * texture_from_unit(x, size / 2);
+    return upper ? T(0.5) + within : T(0.5) - within;
+}
+
+/// The x of texture_from_halves; the half is the upper one where u > 1/2.
+///
+/// Units:    u [1]; size in texels; result [1], in [0, 1].
+/// Domain:   size even, at least 2.
+/// Accuracy: 3 roundoffs of size.
+/// Errors:   none.
+/// Source:   as texture_from_halves.
+template <typename T>
+T unit_from_halves(T u, int size) {
+    return unit_from_texture(glm::abs(T(2) * u - T(1)), size / 2);
+}
+
+/// The sun's height, bent so that the horizon gets more room: there (1 + 1 / bend)^2 times as much as at the
+/// zenith.
+///
+///     (1 + bend) mu / (|mu| + bend)
+///
+/// Units:    mu_s and bend [1]; result [1], in [-1, 1].
+/// Domain:   mu_s in [-1, 1]; bend > 0.
+/// Accuracy: 4 roundoffs.
+/// Errors:   none.
+/// Source:   chosen: the shape of the arc tangents in the sources of inscatter_uvw, by arithmetic alone.
+template <typename T>
+T bent_sun(T mu_s, T bend) {
+    return (T(1) + bend) * mu_s / (bend + glm::abs(mu_s));
+}
+
+/// The inverse of bent_sun.
+///
+/// Units:    bent and bend [1]; result [1], in [-1, 1].
+/// Domain:   bent in [-1, 1]; bend > 0.
+/// Accuracy: 4 roundoffs, and 1 + bend over bend times that of bent.
+/// Errors:   none.
+/// Source:   as bent_sun.
+template <typename T>
+T sun_from_bent(T bent, T bend) {
+    return table_cosine(bend * bent / (bend + (T(1) - glm::abs(bent))));
+}
+
 /// Distance from a point to its horizon on the ground sphere.
 ///
 /// Units:    ground_radius, altitude and result [L].
@@ -119,6 +172,40 @@ T altitude_of_horizon(T ground_radius, T distance) {
 template <typename T>
 T horizon_cosine(T ground_radius, T altitude) {
     return -horizon_distance(ground_radius, altitude) / (ground_radius + altitude);
+}
+
+/// How far the cosines between the horizon and the nadir reach: 1 + horizon_cosine, which would cancel far
+/// away.
+///
+///     1 + mu_h = (R / (R + h))^2 / (1 - mu_h)
+///
+/// Units:    ground_radius and altitude [L]; horizon, the horizon_cosine of both, and result [1].
+/// Domain:   ground_radius > 0; altitude >= 0.
+/// Accuracy: 8 roundoffs.
+/// Errors:   none.
+/// Source:   difference of squares.
+template <typename T>
+T cosines_below_horizon(T ground_radius, T altitude, T horizon) {
+    const T share = ground_radius / (ground_radius + altitude);
+    return share * share / (T(1) - horizon);
+}
+
+/// By how much a cosine has to exceed the horizon's for a ray to pass the ground in float [1]: ten roundoffs
+/// of 1, a tenth of a second of arc.
+template <typename T>
+inline constexpr T past_the_horizon = T(6e-7L);
+
+/// The sun at a height, in the frame in which tables are filled: the vertical is z, the sun stands over x.
+///
+/// Units:    mu_s [1], cosine between the sun and the vertical; result a unit vector.
+/// Domain:   every number, see table_cosine.
+/// Accuracy: 3 roundoffs.
+/// Errors:   none.
+/// Source:   Pythagoras.
+template <typename T>
+vec3<T> sun_over_x(T mu_s) {
+    const T cosine = table_cosine(mu_s);
+    return vec3<T>(safe_sqrt((T(1) - cosine) * (T(1) + cosine)), T(0), cosine);
 }
 
 /// How much longer a ray to the top of the air is than the vertical one.

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <airlight/constants.hpp>
 #include <airlight/sky_view_mapping.hpp>
 
 #include "mapping_round_trip.hpp"

@@ -37,7 +37,8 @@ TEST_CASE_TEMPLATE("every size gives back every unit", T, float, double) {
 
 TEST_CASE_TEMPLATE("an extinction table has altitude along x and the angle along y, 0 up and 1 down", T,
                    float, double) {
-    // Contradiction 10 and 11 of the sources: text and code disagree, and the direction is no angle.
+    // A source's text has the altitude along x and the angle along y, its code the other way round, and its
+    // direction is neither an angle nor a cosine. Here the axes of the text, and the cosine.
     const Atmosphere<T> air = earth<T>();
     const vec2<T> ground_up = extinction_uv(air, T(0), T(1), 256, 64);
     CHECK(ground_up.x == T(0.5) / T(256));  // exact: the first texel's centre
@@ -66,7 +67,8 @@ TEST_CASE_TEMPLATE(
 }
 
 TEST_CASE_TEMPLATE("below the ground every table is read at the ground", T, float, double) {
-    // Contradiction 8 of the sources: clamped in one place, mirrored in another.
+    // A source disagrees with itself: one function clamps an altitude at the ground, another takes its
+    // absolute value.
     const Atmosphere<T> air = earth<T>();
     for (const T depth : {T(1), T(1e3), T(6.36e6), T(1e9)}) {
         for (const T mu : {T(-1), T(-0.3L), T(0), T(0.2L), T(1)}) {
@@ -84,6 +86,60 @@ TEST_CASE_TEMPLATE("the horizon of a point on the ground is level, and 1.4 altit
     CHECK(horizon_distance(T(3), T(2)) == T(4));  // exact: integers
     CHECK(horizon_cosine(T(3), T(2)) == T(-0.8L));
     CHECK(altitude_of_horizon(T(3), T(4)) == T(2));
+}
+
+TEST_CASE_TEMPLATE(
+    "below the horizon of a small world lies a fifth of a cosine, and nearly none from far away", T, float,
+    double, long double) {
+    CHECK(cosines_below_horizon(T(3), T(2), T(-0.8L)) == doctest::Approx(0.2).epsilon(1e-6));  // 1 - 4 / 5
+    CHECK(cosines_below_horizon(T(1), T(0), T(0)) == T(1));  // exact: on the ground half of all directions
+    // From a million radii 1 + horizon_cosine would be 0 in float; (R / r)^2 / 2 is left.
+    const T far = T(1e6L);
+    CHECK_WITHIN(
+        compare_ulp("cosines_below_horizon", {}, cosines_below_horizon(T(1), far, horizon_cosine(T(1), far)),
+                    0.5L / ((1 + 1e6L) * (1 + 1e6L))),
+        8.0L + 2.5e-13L / unit_roundoff<T>());  // modelling: the next term of the series
+}
+
+TEST_CASE_TEMPLATE("the sun over x is a unit vector, for cosines that rounding pushed too far too", T, float,
+                   double, long double) {
+    CHECK(sun_over_x(T(0)) == vec3<T>(T(1), T(0), T(0)));  // exact: roots of 1 and 0
+    CHECK(sun_over_x(T(1)) == vec3<T>(T(0), T(0), T(1)));
+    CHECK(sun_over_x(T(-1.25L)) == vec3<T>(T(0), T(0), T(-1)));
+    const vec3<T> sun = sun_over_x(T(-0.6L));
+    CHECK_WITHIN(compare_ulp("sun_over_x.x", {}, sun.x, 0.8L), 4.0L);
+    CHECK(sun.z == T(-0.6L));
+}
+
+TEST_CASE_TEMPLATE("two halves of an axis never share a texel", T, float, double) {
+    CHECK(texture_from_halves(T(0), true, 8) == T(4.5L) / T(8));  // exact: binary fractions
+    CHECK(texture_from_halves(T(1), true, 8) == T(7.5L) / T(8));
+    CHECK(texture_from_halves(T(0), false, 8) == T(3.5L) / T(8));
+    CHECK(texture_from_halves(T(1), false, 8) == T(0.5L) / T(8));
+    CHECK(unit_from_halves(T(7.5L) / T(8), 8) == T(1));
+    CHECK(unit_from_halves(T(0.5L) / T(8), 8) == T(1));
+    CHECK(unit_from_halves(T(0.5), 8) == T(0));
+}
+
+TEST_CASE_TEMPLATE("a bent sun's axis is densest at the horizon, goes from -1 to 1, and comes back", T, float,
+                   double, long double) {
+    const T bend = T(0.225L);
+    CHECK(bent_sun(T(-1), bend) == T(-1));  // exact: a number over itself
+    CHECK(bent_sun(T(0), bend) == T(0));
+    CHECK(bent_sun(T(1), bend) == T(1));
+    // Slopes over 1/1024 at the horizon and at the zenith.
+    const T step = T(1) / T(1024);
+    const T at_horizon = bent_sun(step, bend) - bent_sun(T(0), bend);
+    const T at_zenith = bent_sun(T(1), bend) - bent_sun(T(1) - step, bend);
+    CHECK(at_horizon / at_zenith > T(28));  // (1 + 1 / 0.225)^2 = 29.6, less 1 % for the step
+    CHECK(at_horizon / at_zenith < T(30));
+    for (int i = -64; i <= 64; ++i) {
+        const T mu_s = T(i) / T(64);
+        // 4 roundoffs there, that times (1 + bend) / bend and 4 more back.
+        CHECK(std::fabs(sun_from_bent(bent_sun(mu_s, bend), bend) - mu_s) <= T(32) * unit_roundoff<T>());
+    }
+    CHECK(sun_from_bent(T(1), bend) == T(1));
+    CHECK(sun_from_bent(T(-1), bend) == T(-1));
 }
 
 TEST_CASE_TEMPLATE("the excess of a ray is its length to the top less the vertical one", T, float, double) {

@@ -17,26 +17,6 @@ static const bool lowest_sun_cosine_row =
         .cpu([](const auto& atmosphere) { return airlight::lowest_sun_cosine(atmosphere); })
         .to_the_bit();
 
-static const bool bent_sun_row = row("bent_sun")
-                                     .inputs([](Draw& draw) { return std::make_tuple(draw.cosine()); })
-                                     .cpu([](auto mu_s) { return airlight::bent_sun(mu_s); })
-                                     .to_the_bit();
-
-static const bool texture_from_halves_row =
-    row("texture_from_halves")
-        .inputs([](Draw& draw) {
-            const float x = draw.number(0.0F, 1.0F);
-            return std::make_tuple(x, draw.one_of({0, 1}) == 1, even_size(draw));
-        })
-        .cpu([](auto x, bool upper, int size) { return airlight::texture_from_halves(x, upper, size); })
-        .to_the_bit();
-
-static const bool unit_from_halves_row =
-    row("unit_from_halves")
-        .inputs([](Draw& draw) { return std::make_tuple(coordinate(draw), even_size(draw)); })
-        .cpu([](auto u, int size) { return airlight::unit_from_halves(u, size); })
-        .to_the_bit();
-
 static auto texel(Draw& draw) {
     const auto atmosphere = draw.atmosphere();
     const float u = coordinate(draw);

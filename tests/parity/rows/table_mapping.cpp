@@ -193,4 +193,55 @@ static const bool altitude_sun_parameters_row =
         })
         .to_the_bit();
 
+static const bool texture_from_halves_row =
+    row("texture_from_halves")
+        .inputs([](Draw& draw) {
+            const float x = draw.number(0.0F, 1.0F);
+            return std::make_tuple(x, draw.one_of({0, 1}) == 1, even_size(draw));
+        })
+        .cpu([](auto x, bool upper, int size) { return airlight::texture_from_halves(x, upper, size); })
+        .to_the_bit();
+
+static const bool unit_from_halves_row =
+    row("unit_from_halves")
+        .inputs([](Draw& draw) { return std::make_tuple(coordinate(draw), even_size(draw)); })
+        .cpu([](auto u, int size) { return airlight::unit_from_halves(u, size); })
+        .to_the_bit();
+
+static const bool bent_sun_row =
+    row("bent_sun")
+        .inputs([](Draw& draw) {
+            const float mu_s = draw.cosine();
+            return std::make_tuple(mu_s, draw.number(0.05F, 1.0F, {0.15F, 0.225F}));
+        })
+        .cpu([](auto mu_s, auto bend) { return airlight::bent_sun(mu_s, bend); })
+        .to_the_bit();
+
+static const bool sun_from_bent_row =
+    row("sun_from_bent")
+        .inputs([](Draw& draw) {
+            const float bent = draw.cosine();
+            return std::make_tuple(bent, draw.number(0.05F, 1.0F, {0.15F, 0.225F}));
+        })
+        .cpu([](auto bent, auto bend) { return airlight::sun_from_bent(bent, bend); })
+        .to_the_bit();
+
+static const bool cosines_below_horizon_row =
+    row("cosines_below_horizon")
+        .inputs([](Draw& draw) {
+            const auto atmosphere = draw.atmosphere();
+            const float altitude = height_in_air(draw, atmosphere);
+            return std::make_tuple(atmosphere.ground_radius, altitude,
+                                   airlight::horizon_cosine(atmosphere.ground_radius, altitude));
+        })
+        .cpu([](auto radius, auto altitude, auto horizon) {
+            return airlight::cosines_below_horizon(radius, altitude, horizon);
+        })
+        .to_the_bit();
+
+static const bool sun_over_x_row = row("sun_over_x")
+                                       .inputs([](Draw& draw) { return std::make_tuple(draw.cosine()); })
+                                       .cpu([](auto mu_s) { return airlight::sun_over_x(mu_s); })
+                                       .to_the_bit();
+
 }  // namespace parity
