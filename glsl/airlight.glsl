@@ -4790,9 +4790,106 @@ float airlight_gain_of_last_order(float before, float last) {
     return 1.0 / (1.0 - ratio);
 }
 
+// ---- scattering_of_table ----------------------------------------------------
+
+// Hook: what a table holds for a ray of light scattered once [1]: that part of single_inscatter, rayleigh or
+// mie, of which the hook has its name. No phase function.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_SCATTERED_RAYLEIGH
+#define AIRLIGHT_SCATTERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Hook: what a table holds for a ray of light scattered once [1]: that part of single_inscatter, rayleigh or
+// mie, of which the hook has its name. No phase function.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_SCATTERED_MIE
+#define AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Hook: what a table holds for a ray of light scattered twice and more: radiance [1/sr], a sum of
+// next_order_radiance.
+// In GLSL, define the macro before this line, as the call of a function of your own.
+#ifndef AIRLIGHT_MULTIPLE_RADIANCE
+#define AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
+#endif
+
+// Radiance that the air adds to a ray, from what a table holds for it: the phase functions come in here.
+//
+//     L = p_R(nu) R + p_M(nu) M + L_multiple
+//
+// The higher orders come as radiance: they are too even to gain from a phase function, and divided by one
+// they are interpolated worse.
+//
+// Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr]. scattered_rayleigh and scattered_mie are the
+//           parts of single_inscatter [1], multiple_radiance is a sum of next_order_radiance [1/sr].
+// Domain:   that of single_inscatter.
+// Accuracy: that of the table.
+// Errors:   none.
+// Source:   Elek (2009); Bruneton and Neyret (2008).
+vec3 airlight_radiance_of_table(airlight_Atmosphere atmosphere, float altitude, float mu, float mu_s,
+                                float nu, bool reaches_ground) {
+    vec3 radiance = AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) +
+                    airlight_rayleigh_phase(nu) * AIRLIGHT_SCATTERED_RAYLEIGH(altitude, mu, mu_s, nu,
+                                                                              reaches_ground);
+#if AIRLIGHT_MIE
+    radiance +=
+        airlight_mie_phase(nu, atmosphere.mie_g) * AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu,
+                                                                          reaches_ground);
+#endif
+    return radiance;
+}
+
+// What the air adds to a view ray, and the share it lets through, by a table of scattered light: the twin of
+// single_scattering with every order that the table holds.
+//
+//     L = S(eye) - T(eye, surface) S(surface)
+//
+// The ray to a surface is the difference of two look-ups. Close to a surface both are nearly alike and
+// their errors are not, so that the difference is kept between 0 and S(eye): never negative, never more than
+// the endless ray, but the haze before a hill a kilometre away is only as good as the table. Order 1 is
+// better left to single_scattering there: without the first two hooks this is what to add to it.
+//
+// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result per unit of
+//           solar irradiance above the air, radiance [1/sr]; the hooks as in radiance_of_table.
+// Domain:   that of single_scattering.
+// Accuracy: that of the table; transmittance that of transmittance.
+// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
+// Source:   Bruneton and Neyret, Precomputed atmospheric scattering (2008), aerial perspective.
+airlight_Scattered airlight_scattering_of_table(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,
+                                                vec3 direction, vec3 to_sun, float distance) {
+    vec3 nothing = vec3(0.0, 0.0, 0.0);
+    airlight_AirRay air = airlight_air_ray(atmosphere, eye, direction, distance);
+    if (!air.in_air) {
+        return airlight_Scattered(nothing, vec3(1.0, 1.0, 1.0));
+    }
+    airlight_SunOverLine sun = airlight_sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
+    float nu = clamp(sun.cos_theta, -1.0, 1.0);
+    bool to_ground = air.perigee_altitude < 0.0 && air.along < 0.0;
+
+    float radius = atmosphere.ground_radius + air.altitude;
+    float mu = clamp(air.along / radius, -1.0, 1.0);
+    float mu_s = clamp((sun.perigee_height + air.along * nu) / radius, -1.0, 1.0);
+    vec3 transmitted = airlight_transmittance(atmosphere, air.altitude, mu, air.extent);
+    vec3 whole = airlight_radiance_of_table(atmosphere, air.altitude, mu, mu_s, nu, to_ground);
+    // As air_ray measures it: the sum of begin and extent may round to less than distance.
+    bool ends_in_air = !air.reaches_ground && air.extent >= distance - air.begin;
+    if (!ends_in_air) {
+        return airlight_Scattered(whole, transmitted);
+    }
+    float end_along = air.along + air.extent;
+    float end_altitude =
+        max(airlight_altitude_along_ray(atmosphere.ground_radius, air.altitude, air.along, air.extent), 0.0);
+    float end_radius = atmosphere.ground_radius + end_altitude;
+    float end_mu = clamp(end_along / end_radius, -1.0, 1.0);
+    float end_mu_s = clamp((sun.perigee_height + end_along * nu) / end_radius, -1.0, 1.0);
+    vec3 behind =
+        airlight_radiance_of_table(atmosphere, end_altitude, end_mu, end_mu_s, nu, to_ground);
+    return airlight_Scattered(clamp(whole - transmitted * behind, nothing, whole), transmitted);
+}
+
 // ---- scattering_orders ------------------------------------------------------
 
-// Hook: what a table holds for a ray; the function that calls it says of what.
+// Hook: radiance [1/sr] that the air adds to a ray by light of one order, with the phase functions.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_ORDER_RADIANCE
 #define AIRLIGHT_ORDER_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
@@ -4812,13 +4909,15 @@ float airlight_gain_of_last_order(float before, float last) {
 #define AIRLIGHT_INCIDENT_LIGHT(altitude, mu_s, side, polar, azimuth) (vec3(0.0, 0.0, 0.0))
 #endif
 
-// Hook: what a table holds for a ray; the function that calls it says of what.
+// Hook: light that a point of a ray gathers and turns into the ray [1/sr]: that part of
+// phase_weighted_light, rayleigh or mie, of which the hook has its name. No coefficient, no density.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_GATHERED_RAYLEIGH
 #define AIRLIGHT_GATHERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
 #endif
 
-// Hook: what a table holds for a ray; the function that calls it says of what.
+// Hook: light that a point of a ray gathers and turns into the ray [1/sr]: that part of
+// phase_weighted_light, rayleigh or mie, of which the hook has its name. No coefficient, no density.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_GATHERED_MIE
 #define AIRLIGHT_GATHERED_MIE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
@@ -4990,12 +5089,16 @@ airlight_InScatter airlight_single_inscatter(airlight_Atmosphere atmosphere, flo
                 vec3 light = airlight_node_transmittance(atmosphere, ray, offset, outwards, here,
                                                          node.along, density);
                 rayleigh += (share * density.rayleigh) * light;
+#if AIRLIGHT_MIE
                 mie += (share * density.mie) * light;
+#endif
             }
         }
     }
     rayleigh *= atmosphere.rayleigh_scattering;
+#if AIRLIGHT_MIE
     mie *= atmosphere.mie_scattering;
+#endif
     vec3 scale = airlight_energy_share(rayleigh + mie, airlight_depth_of_legs(atmosphere, legs));
     return airlight_InScatter(rayleigh * scale, mie * scale);
 }
@@ -5206,100 +5309,6 @@ vec3 airlight_order_irradiance(airlight_Atmosphere atmosphere, float altitude, f
         }
     }
     return sum;
-}
-
-// ---- scattering_of_table ----------------------------------------------------
-
-// Hook: what a table holds for a ray; the function that calls it says of what.
-// In GLSL, define the macro before this line, as the call of a function of your own.
-#ifndef AIRLIGHT_SCATTERED_RAYLEIGH
-#define AIRLIGHT_SCATTERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
-#endif
-
-// Hook: what a table holds for a ray; the function that calls it says of what.
-// In GLSL, define the macro before this line, as the call of a function of your own.
-#ifndef AIRLIGHT_SCATTERED_MIE
-#define AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
-#endif
-
-// Hook: what a table holds for a ray; the function that calls it says of what.
-// In GLSL, define the macro before this line, as the call of a function of your own.
-#ifndef AIRLIGHT_MULTIPLE_RADIANCE
-#define AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
-#endif
-
-// Radiance that the air adds to a ray, from what a table holds for it: the phase functions come in here.
-//
-//     L = p_R(nu) R + p_M(nu) M + L_multiple
-//
-// The higher orders come as radiance: they are too even to gain from a phase function, and divided by one
-// they are interpolated worse.
-//
-// Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr]. scattered_rayleigh and scattered_mie are the
-//           parts of single_inscatter [1], multiple_radiance is a sum of next_order_radiance [1/sr].
-// Domain:   that of single_inscatter.
-// Accuracy: that of the table.
-// Errors:   none.
-// Source:   Elek (2009); Bruneton and Neyret (2008).
-vec3 airlight_radiance_of_table(airlight_Atmosphere atmosphere, float altitude, float mu, float mu_s,
-                                float nu, bool reaches_ground) {
-    vec3 radiance = AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) +
-                    airlight_rayleigh_phase(nu) * AIRLIGHT_SCATTERED_RAYLEIGH(altitude, mu, mu_s, nu,
-                                                                              reaches_ground);
-#if AIRLIGHT_MIE
-    radiance +=
-        airlight_mie_phase(nu, atmosphere.mie_g) * AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu,
-                                                                          reaches_ground);
-#endif
-    return radiance;
-}
-
-// What the air adds to a view ray, and the share it lets through, by a table of scattered light: the twin of
-// single_scattering with every order that the table holds.
-//
-//     L = S(eye) - T(eye, surface) S(surface)
-//
-// The ray to a surface is the difference of two look-ups. Close to a surface both are nearly alike and
-// their errors are not, so that the difference is kept between 0 and S(eye): never negative, never more than
-// the endless ray, but the haze before a hill a kilometre away is only as good as the table. Order 1 is
-// better left to single_scattering there: without the first two hooks this is what to add to it.
-//
-// Units:    lengths in the atmosphere's unit [L]; direction and to_sun unit vectors; result per unit of
-//           solar irradiance above the air, radiance [1/sr]; the hooks as in radiance_of_table.
-// Domain:   that of single_scattering.
-// Accuracy: that of the table; transmittance that of transmittance.
-// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
-// Source:   Bruneton and Neyret, Precomputed atmospheric scattering (2008), aerial perspective.
-airlight_Scattered airlight_scattering_of_table(airlight_Atmosphere atmosphere, airlight_Viewpoint eye,
-                                                vec3 direction, vec3 to_sun, float distance) {
-    vec3 nothing = vec3(0.0, 0.0, 0.0);
-    airlight_AirRay air = airlight_air_ray(atmosphere, eye, direction, distance);
-    if (!air.in_air) {
-        return airlight_Scattered(nothing, vec3(1.0, 1.0, 1.0));
-    }
-    airlight_SunOverLine sun = airlight_sun_over_line(atmosphere.ground_radius, eye, direction, to_sun);
-    float nu = clamp(sun.cos_theta, -1.0, 1.0);
-    bool to_ground = air.perigee_altitude < 0.0 && air.along < 0.0;
-
-    float radius = atmosphere.ground_radius + air.altitude;
-    float mu = clamp(air.along / radius, -1.0, 1.0);
-    float mu_s = clamp((sun.perigee_height + air.along * nu) / radius, -1.0, 1.0);
-    vec3 transmitted = airlight_transmittance(atmosphere, air.altitude, mu, air.extent);
-    vec3 whole = airlight_radiance_of_table(atmosphere, air.altitude, mu, mu_s, nu, to_ground);
-    // As air_ray measures it: the sum of begin and extent may round to less than distance.
-    bool ends_in_air = !air.reaches_ground && air.extent >= distance - air.begin;
-    if (!ends_in_air) {
-        return airlight_Scattered(whole, transmitted);
-    }
-    float end_along = air.along + air.extent;
-    float end_altitude =
-        max(airlight_altitude_along_ray(atmosphere.ground_radius, air.altitude, air.along, air.extent), 0.0);
-    float end_radius = atmosphere.ground_radius + end_altitude;
-    float end_mu = clamp(end_along / end_radius, -1.0, 1.0);
-    float end_mu_s = clamp((sun.perigee_height + end_along * nu) / end_radius, -1.0, 1.0);
-    vec3 behind =
-        airlight_radiance_of_table(atmosphere, end_altitude, end_mu, end_mu_s, nu, to_ground);
-    return airlight_Scattered(clamp(whole - transmitted * behind, nothing, whole), transmitted);
 }
 
 // ---- froxel_table -----------------------------------------------------------

@@ -184,7 +184,7 @@ void add(std::vector<Result>& results, const std::string& name, const Shape& sha
     const Hook rayleigh{shape, tables.rayleigh};
     const Hook mie{shape, tables.mie};
     const Hook multiple{shape, tables.multiple};
-    const airlight::NothingAlongRay nothing;
+    const airlight::NothingScattered nothing;
 
     result.method = name + ", order 1 alone";
     result.orders = 1;

@@ -2,21 +2,24 @@
 #ifndef AIRLIGHT_SCATTERING_OF_TABLE_GLSL
 #define AIRLIGHT_SCATTERING_OF_TABLE_GLSL
 
-#include "airlight/scattering_orders.glsl"
+#include "airlight/single_scattering.glsl"
 
-// Hook: what a table holds for a ray; the function that calls it says of what.
+// Hook: what a table holds for a ray of light scattered once [1]: that part of single_inscatter, rayleigh or
+// mie, of which the hook has its name. No phase function.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_SCATTERED_RAYLEIGH
 #define AIRLIGHT_SCATTERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
 #endif
 
-// Hook: what a table holds for a ray; the function that calls it says of what.
+// Hook: what a table holds for a ray of light scattered once [1]: that part of single_inscatter, rayleigh or
+// mie, of which the hook has its name. No phase function.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_SCATTERED_MIE
 #define AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
 #endif
 
-// Hook: what a table holds for a ray; the function that calls it says of what.
+// Hook: what a table holds for a ray of light scattered twice and more: radiance [1/sr], a sum of
+// next_order_radiance.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_MULTIPLE_RADIANCE
 #define AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))

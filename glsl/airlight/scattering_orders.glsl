@@ -6,7 +6,7 @@
 #include "airlight/ray_legs.glsl"
 #include "airlight/table_mapping.glsl"
 
-// Hook: what a table holds for a ray; the function that calls it says of what.
+// Hook: radiance [1/sr] that the air adds to a ray by light of one order, with the phase functions.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_ORDER_RADIANCE
 #define AIRLIGHT_ORDER_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
@@ -26,13 +26,15 @@
 #define AIRLIGHT_INCIDENT_LIGHT(altitude, mu_s, side, polar, azimuth) (vec3(0.0, 0.0, 0.0))
 #endif
 
-// Hook: what a table holds for a ray; the function that calls it says of what.
+// Hook: light that a point of a ray gathers and turns into the ray [1/sr]: that part of
+// phase_weighted_light, rayleigh or mie, of which the hook has its name. No coefficient, no density.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_GATHERED_RAYLEIGH
 #define AIRLIGHT_GATHERED_RAYLEIGH(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
 #endif
 
-// Hook: what a table holds for a ray; the function that calls it says of what.
+// Hook: light that a point of a ray gathers and turns into the ray [1/sr]: that part of
+// phase_weighted_light, rayleigh or mie, of which the hook has its name. No coefficient, no density.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_GATHERED_MIE
 #define AIRLIGHT_GATHERED_MIE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
@@ -204,12 +206,16 @@ airlight_InScatter airlight_single_inscatter(airlight_Atmosphere atmosphere, flo
                 vec3 light = airlight_node_transmittance(atmosphere, ray, offset, outwards, here,
                                                          node.along, density);
                 rayleigh += (share * density.rayleigh) * light;
+#if AIRLIGHT_MIE
                 mie += (share * density.mie) * light;
+#endif
             }
         }
     }
     rayleigh *= atmosphere.rayleigh_scattering;
+#if AIRLIGHT_MIE
     mie *= atmosphere.mie_scattering;
+#endif
     vec3 scale = airlight_energy_share(rayleigh + mie, airlight_depth_of_legs(atmosphere, legs));
     return airlight_InScatter(rayleigh * scale, mie * scale);
 }

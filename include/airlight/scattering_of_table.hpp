@@ -1,8 +1,28 @@
 #pragma once
 
-#include <airlight/scattering_orders.hpp>
+#include <airlight/single_scattering.hpp>
 
 namespace airlight {
+
+/// Hook: what a table holds for a ray of light scattered once [1]: that part of single_inscatter, rayleigh or
+/// mie, of which the hook has its name. No phase function.
+struct NothingScattered {
+    template <typename T>
+    vec3<T> operator()([[maybe_unused]] T altitude, [[maybe_unused]] T mu, [[maybe_unused]] T mu_s,
+                       [[maybe_unused]] T nu, [[maybe_unused]] bool reaches_ground) const {
+        return vec3<T>(T(0), T(0), T(0));
+    }
+};
+
+/// Hook: what a table holds for a ray of light scattered twice and more: radiance [1/sr], a sum of
+/// next_order_radiance.
+struct NoMultipleRadiance {
+    template <typename T>
+    vec3<T> operator()([[maybe_unused]] T altitude, [[maybe_unused]] T mu, [[maybe_unused]] T mu_s,
+                       [[maybe_unused]] T nu, [[maybe_unused]] bool reaches_ground) const {
+        return vec3<T>(T(0), T(0), T(0));
+    }
+};
 
 /// Radiance that the air adds to a ray, from what a table holds for it: the phase functions come in here.
 ///
@@ -17,8 +37,8 @@ namespace airlight {
 /// Accuracy: that of the table.
 /// Errors:   none.
 /// Source:   Elek (2009); Bruneton and Neyret (2008).
-template <typename T, typename Scene = DefaultScene, typename ScatteredRayleigh = NothingAlongRay,
-          typename ScatteredMie = NothingAlongRay, typename MultipleRadiance = NothingAlongRay>
+template <typename T, typename Scene = DefaultScene, typename ScatteredRayleigh = NothingScattered,
+          typename ScatteredMie = NothingScattered, typename MultipleRadiance = NoMultipleRadiance>
 vec3<T> radiance_of_table(const Atmosphere<T>& atmosphere, T altitude, T mu, T mu_s, T nu,
                           bool reaches_ground,
                           const ScatteredRayleigh& scattered_rayleigh = ScatteredRayleigh{},
@@ -49,8 +69,8 @@ vec3<T> radiance_of_table(const Atmosphere<T>& atmosphere, T altitude, T mu, T m
 /// Accuracy: that of the table; transmittance that of transmittance.
 /// Errors:   none; no air on the ray gives radiance 0 and transmittance 1.
 /// Source:   Bruneton and Neyret, Precomputed atmospheric scattering (2008), aerial perspective.
-template <typename T, typename Scene = DefaultScene, typename ScatteredRayleigh = NothingAlongRay,
-          typename ScatteredMie = NothingAlongRay, typename MultipleRadiance = NothingAlongRay>
+template <typename T, typename Scene = DefaultScene, typename ScatteredRayleigh = NothingScattered,
+          typename ScatteredMie = NothingScattered, typename MultipleRadiance = NoMultipleRadiance>
 Scattered<T> scattering_of_table(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye,
                                  const vec3<T>& direction, const vec3<T>& to_sun, T distance,
                                  const ScatteredRayleigh& scattered_rayleigh = ScatteredRayleigh{},

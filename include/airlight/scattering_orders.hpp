@@ -28,8 +28,18 @@ struct PhaseWeighted {
     vec3<T> mie;       ///< [1/sr] that aerosol turns into it
 };
 
-/// Hook: what a table holds for a ray; the function that calls it says of what.
-struct NothingAlongRay {
+/// Hook: radiance [1/sr] that the air adds to a ray by light of one order, with the phase functions.
+struct NoOrderRadiance {
+    template <typename T>
+    vec3<T> operator()([[maybe_unused]] T altitude, [[maybe_unused]] T mu, [[maybe_unused]] T mu_s,
+                       [[maybe_unused]] T nu, [[maybe_unused]] bool reaches_ground) const {
+        return vec3<T>(T(0), T(0), T(0));
+    }
+};
+
+/// Hook: light that a point of a ray gathers and turns into the ray [1/sr]: that part of
+/// phase_weighted_light, rayleigh or mie, of which the hook has its name. No coefficient, no density.
+struct NothingGathered {
     template <typename T>
     vec3<T> operator()([[maybe_unused]] T altitude, [[maybe_unused]] T mu, [[maybe_unused]] T mu_s,
                        [[maybe_unused]] T nu, [[maybe_unused]] bool reaches_ground) const {
@@ -194,12 +204,16 @@ InScatter<T> single_inscatter(const Atmosphere<T>& atmosphere, T altitude, T mu,
                 const vec3<T> light = node_transmittance<T, Scene>(atmosphere, ray, offset, outwards, here,
                                                                    node.along, density);
                 rayleigh += (share * density.rayleigh) * light;
-                mie += (share * density.mie) * light;
+                if constexpr (Scene::mie) {
+                    mie += (share * density.mie) * light;
+                }
             }
         }
     }
     rayleigh *= atmosphere.rayleigh_scattering;
-    mie *= atmosphere.mie_scattering;
+    if constexpr (Scene::mie) {
+        mie *= atmosphere.mie_scattering;
+    }
     const vec3<T> scale = energy_share(rayleigh + mie, depth_of_legs<T, Scene>(atmosphere, legs));
     return InScatter<T>{rayleigh * scale, mie * scale};
 }
@@ -212,7 +226,7 @@ InScatter<T> single_inscatter(const Atmosphere<T>& atmosphere, T altitude, T mu,
 /// Accuracy: that of the hooks.
 /// Errors:   none.
 /// Source:   Bruneton and Neyret, Precomputed atmospheric scattering (2008); a ground of Lambert.
-template <typename T, typename Scene = DefaultScene, typename OrderRadiance = NothingAlongRay,
+template <typename T, typename Scene = DefaultScene, typename OrderRadiance = NoOrderRadiance,
           typename OrderIrradiance = NoIrradiance>
 vec3<T> incident_light(const Atmosphere<T>& atmosphere, T altitude, T mu_s, int side, int polar, int azimuth,
                        const OrderRadiance& order_radiance = OrderRadiance{},
@@ -304,8 +318,8 @@ vec3<T> extinction_at(const Atmosphere<T>& atmosphere, T altitude) {
 /// Accuracy: that of the hooks.
 /// Errors:   none.
 /// Source:   definition; the coefficient stands once.
-template <typename T, typename Scene = DefaultScene, typename GatheredRayleigh = NothingAlongRay,
-          typename GatheredMie = NothingAlongRay>
+template <typename T, typename Scene = DefaultScene, typename GatheredRayleigh = NothingGathered,
+          typename GatheredMie = NothingGathered>
 vec3<T> scattered_at(const Atmosphere<T>& atmosphere, T altitude, T mu, T mu_s, T nu, bool reaches_ground,
                      const GatheredRayleigh& gathered_rayleigh = GatheredRayleigh{},
                      const GatheredMie& gathered_mie = GatheredMie{}) {
@@ -347,8 +361,8 @@ T missed_light(T found, T lost, T source, T extinction) {
 /// Accuracy: that of the hooks; the integral itself better than 1e-3 with 8 nodes.
 /// Errors:   none.
 /// Source:   Elek (2009) and Bruneton and Neyret (2008); node_map without the sun.
-template <typename T, typename Scene = DefaultScene, typename GatheredRayleigh = NothingAlongRay,
-          typename GatheredMie = NothingAlongRay>
+template <typename T, typename Scene = DefaultScene, typename GatheredRayleigh = NothingGathered,
+          typename GatheredMie = NothingGathered>
 vec3<T> next_order_radiance(const Atmosphere<T>& atmosphere, T altitude, T mu, T mu_s, T nu,
                             bool reaches_ground,
                             const GatheredRayleigh& gathered_rayleigh = GatheredRayleigh{},
@@ -405,7 +419,7 @@ vec3<T> next_order_radiance(const Atmosphere<T>& atmosphere, T altitude, T mu, T
 /// Accuracy: that of the hook; the integral itself better than 1e-3 with 8 nodes.
 /// Errors:   none.
 /// Source:   Lambert's cosine law; Gauss-Legendre quadrature as in sphere_direction.
-template <typename T, typename Scene = DefaultScene, typename OrderRadiance = NothingAlongRay>
+template <typename T, typename Scene = DefaultScene, typename OrderRadiance = NoOrderRadiance>
 vec3<T> order_irradiance(const Atmosphere<T>& atmosphere, T altitude, T mu_s,
                          const OrderRadiance& order_radiance = OrderRadiance{}) {
     const T height = glm::clamp(altitude, T(0), atmosphere.top_altitude);

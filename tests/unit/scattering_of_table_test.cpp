@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 #include <airlight/scattering_of_table.hpp>
+#include <airlight/scattering_orders.hpp>
 
 #include "error_metrics.hpp"
 #include "extremes.hpp"

@@ -183,6 +183,22 @@ TEST_CASE("the planet's shadow is sharp: behind it nothing, and without the flag
     CHECK(lit.rayleigh.x > 0.0);
 }
 
+TEST_CASE_TEMPLATE("without the flag there is no aerosol, whatever the atmosphere says of it", T, float,
+                   double) {
+    Atmosphere<T> clean = earth<T>();
+    clean.mie_scattering = clean.mie_absorption = vec3<T>(T(0));
+    const InScatter<T> left_out =
+        single_inscatter<T, NoMie>(earth<T>(), T(100), T(0.2L), T(0.3L), T(0.5), false);
+    const InScatter<T> none = single_inscatter<T>(clean, T(100), T(0.2L), T(0.3L), T(0.5), false);
+    CHECK(left_out.mie == vec3<T>(T(0)));
+    for (int i = 0; i < 3; ++i) {
+        // The nodes add the same numbers, but for the roundings of columns times 0.
+        CHECK_WITHIN(compare_ulp("single_inscatter.rayleigh", {{"channel", T(i)}}, left_out.rayleigh[i],
+                                 static_cast<long double>(none.rayleigh[i])),
+                     16.0L);
+    }
+}
+
 namespace {
 
 /// How much of even light aerosol and molecules gather too much or too little, at worst.
@@ -250,7 +266,7 @@ TEST_CASE_TEMPLATE("light off the ground is albedo, irradiance and the air's tra
     Atmosphere<T> planet = earth<T>();
     planet.ground_albedo = vec3<T>(T(0.5), T(0.25L), T(1));
     const vec3<T> seen =
-        incident_light<T, DefaultScene>(planet, T(5000), T(0.6L), 1, 3, 5, NothingAlongRay{}, Uniform{3.0});
+        incident_light<T, DefaultScene>(planet, T(5000), T(0.6L), 1, 3, 5, NoOrderRadiance{}, Uniform{3.0});
     const SphereDirection<T> down = sphere_direction<T>(planet.ground_radius, T(5000), 1, 3, 5);
     const AirRay<T> ray = table_air_ray(planet, T(5000), down.mu, true);
     const vec3<T> passed = transmittance<T>(planet, T(5000), down.mu, ray.extent);
@@ -261,7 +277,7 @@ TEST_CASE_TEMPLATE("light off the ground is albedo, irradiance and the air's tra
                      8.0L);  // four factors
     }
     // Towards the sky there is no ground.
-    CHECK(incident_light<T, DefaultScene>(planet, T(5000), T(0.6L), 0, 3, 5, NothingAlongRay{},
+    CHECK(incident_light<T, DefaultScene>(planet, T(5000), T(0.6L), 0, 3, 5, NoOrderRadiance{},
                                           Uniform{3.0}) == vec3<T>(T(0)));
 }
 

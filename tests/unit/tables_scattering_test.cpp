@@ -32,8 +32,8 @@ vec3<T> sky(const Shape& shape, const ScatteringTables<T>& tables, const PathTra
 template <typename T, typename Shape>
 vec3<T> order_at(const Shape& shape, const Table<vec3<T>>& order, const PathTraced& view) {
     return scattering_of_table<T, DefaultScene>(shape.atmosphere, view.eye<T>(), view.direction<T>(),
-                                                view.to_sun<T>(), no_surface<T>(), NothingAlongRay{},
-                                                NothingAlongRay{}, TableHook<T, Shape>{shape, order})
+                                                view.to_sun<T>(), no_surface<T>(), NothingScattered{},
+                                                NothingScattered{}, TableHook<T, Shape>{shape, order})
         .radiance;
 }
 

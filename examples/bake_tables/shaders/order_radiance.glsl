@@ -11,6 +11,7 @@ vec3 order_irradiance(float mu_s);
 #define AIRLIGHT_ORDER_IRRADIANCE(mu_s) order_irradiance(mu_s)
 
 #include "airlight/scattering_of_table.glsl"
+#include "airlight/scattering_orders.glsl"
 #include "airlight/scattering_mapping.glsl"
 #include "bake.glsl"
 #include "scattering.glsl"

@@ -5,6 +5,7 @@
 
 #include <airlight/scattering_mapping.hpp>
 #include <airlight/scattering_of_table.hpp>
+#include <airlight/scattering_orders.hpp>
 #include <airlight/tables/table.hpp>
 #include <cstddef>
 #include <vector>

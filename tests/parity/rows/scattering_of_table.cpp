@@ -6,7 +6,8 @@
 
 namespace parity {
 
-using airlight::NothingAlongRay;
+using airlight::NoMultipleRadiance;
+using airlight::NothingScattered;
 
 static const bool radiance_of_table_row =
     row("radiance_of_table")
@@ -14,9 +15,10 @@ static const bool radiance_of_table_row =
         .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu, auto mu_s, auto nu,
                 bool reaches_ground) {
             using R = decltype(run);
-            const auto table = hook_of<NothingAlongRay, StandInTable>(run);
+            const auto table = hook_of<NothingScattered, StandInTable>(run);
+            const auto more = hook_of<NoMultipleRadiance, StandInTable>(run);
             return airlight::radiance_of_table<typename R::T, typename R::Scene>(
-                atmosphere, altitude, mu, mu_s, nu, reaches_ground, table, table, table);
+                atmosphere, altitude, mu, mu_s, nu, reaches_ground, table, table, more);
         })
         .to_the_bit();
 
@@ -33,9 +35,10 @@ static const bool scattering_of_table_row =
         .cpu([](auto run, const auto& atmosphere, const auto& eye, const auto& direction, const auto& to_sun,
                 auto distance) {
             using R = decltype(run);
-            const auto table = hook_of<NothingAlongRay, StandInTable>(run);
+            const auto table = hook_of<NothingScattered, StandInTable>(run);
+            const auto more = hook_of<NoMultipleRadiance, StandInTable>(run);
             return airlight::scattering_of_table<typename R::T, typename R::Scene>(
-                atmosphere, eye, direction, to_sun, distance, table, table, table);
+                atmosphere, eye, direction, to_sun, distance, table, table, more);
         })
         .within_bound();
 

@@ -8,7 +8,8 @@ namespace parity {
 
 using airlight::NoIncidentLight;
 using airlight::NoIrradiance;
-using airlight::NothingAlongRay;
+using airlight::NoOrderRadiance;
+using airlight::NothingGathered;
 
 static const bool table_air_ray_row =
     row("table_air_ray")
@@ -94,7 +95,7 @@ static const bool incident_light_row =
                 using R = decltype(run);
                 return airlight::incident_light<typename R::T, typename R::Scene>(
                     atmosphere, altitude, mu_s, side, polar, azimuth,
-                    hook_of<NothingAlongRay, StandInTable>(run), hook_of<NoIrradiance, StandInTable>(run));
+                    hook_of<NoOrderRadiance, StandInTable>(run), hook_of<NoIrradiance, StandInTable>(run));
             })
         .within_bound();
 
@@ -131,7 +132,7 @@ static const bool scattered_at_row =
         .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu, auto mu_s, auto nu,
                 bool reaches_ground) {
             using R = decltype(run);
-            const auto table = hook_of<NothingAlongRay, StandInTable>(run);
+            const auto table = hook_of<NothingGathered, StandInTable>(run);
             return airlight::scattered_at<typename R::T, typename R::Scene>(atmosphere, altitude, mu, mu_s,
                                                                             nu, reaches_ground, table, table);
         })
@@ -160,7 +161,7 @@ static const bool next_order_radiance_row =
             using R = decltype(run);
             return airlight::next_order_radiance<typename R::T, typename R::Scene>(
                 atmosphere, altitude, mu, mu_s, nu, reaches_ground,
-                hook_of<NothingAlongRay, StandInTable>(run), hook_of<NothingAlongRay, StandInTable>(run));
+                hook_of<NothingGathered, StandInTable>(run), hook_of<NothingGathered, StandInTable>(run));
         })
         .within_bound();
 
@@ -175,7 +176,7 @@ static const bool order_irradiance_row =
         .cpu([](auto run, const auto& atmosphere, auto altitude, auto mu_s) {
             using R = decltype(run);
             return airlight::order_irradiance<typename R::T, typename R::Scene>(
-                atmosphere, altitude, mu_s, hook_of<NothingAlongRay, StandInTable>(run));
+                atmosphere, altitude, mu_s, hook_of<NoOrderRadiance, StandInTable>(run));
         })
         .to_the_bit();
 
