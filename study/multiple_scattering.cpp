@@ -165,7 +165,7 @@ void add(std::vector<Result>& results, const std::string& name, const Shape& sha
     {
         const support::Rows rows(name + ", " + scalar);
         rows.expect_passes(airlight::passes_of_bake(settings.orders));
-        tables = airlight::bake_scattering<Scene>(shape.atmosphere, shape, settings.orders, rows);
+        tables = airlight::bake_scattering<Scene>(shape, settings.orders, rows);
     }
     Result result;
     result.scalar = scalar;

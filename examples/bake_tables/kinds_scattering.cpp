@@ -149,8 +149,8 @@ Kind inscatter3d() {
     kind.takes_size = even_height;
     bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         rows.expect_passes(airlight::passes_of_bake(request.orders));
-        const auto tables = airlight::bake_scattering<decltype(scene)>(
-            air, inscatter_shape(air, request.size), request.orders, rows);
+        const auto tables = airlight::bake_scattering<decltype(scene)>(inscatter_shape(air, request.size),
+                                                                       request.orders, rows);
         return support::numbers_of(tables.rayleigh, tables.mie, tables.multiple);
     });
     kind.on_gpu = [](const Request& request, GpuBaker& gpu) {
@@ -192,7 +192,7 @@ Kind bruneton() {
     };
     bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         rows.expect_passes(airlight::passes_of_bake(request.orders));
-        const auto tables = airlight::bake_scattering<decltype(scene)>(air, bruneton_shape(air, request.size),
+        const auto tables = airlight::bake_scattering<decltype(scene)>(bruneton_shape(air, request.size),
                                                                        request.orders, rows);
         return support::numbers_of(tables.rayleigh, tables.mie, tables.multiple);
     });
@@ -235,8 +235,8 @@ Kind irradiance() {
     kind.small_size = {64, 16, 1};
     bake_on_cpu(kind, [](auto scene, const auto& air, const Request& request, const support::Rows& rows) {
         rows.expect_passes(airlight::passes_of_bake(request.orders));
-        const auto tables = airlight::bake_scattering<decltype(scene)>(
-            air, inscatter_shape(air, {16, 64, 32}), request.orders, rows);
+        const auto tables = airlight::bake_scattering<decltype(scene)>(inscatter_shape(air, {16, 64, 32}),
+                                                                       request.orders, rows);
         return support::numbers_of(tables.irradiance);
     });
     kind.on_gpu = [](const Request& request, GpuBaker& gpu) {

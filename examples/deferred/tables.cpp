@@ -43,8 +43,8 @@ AirTables baked(TableKind kind, const airlight::Atmosphere<float>& air) {
         rows.expect_passes(airlight::passes_of_bake(scattering_orders));
         out.scattering =
             kind == TableKind::bruneton
-                ? airlight::bake_scattering<Scene>(air, out.bruneton_shape, scattering_orders, rows)
-                : airlight::bake_scattering<Scene>(air, out.inscatter_shape, scattering_orders, rows);
+                ? airlight::bake_scattering<Scene>(out.bruneton_shape, scattering_orders, rows)
+                : airlight::bake_scattering<Scene>(out.inscatter_shape, scattering_orders, rows);
     }
     return out;
 }

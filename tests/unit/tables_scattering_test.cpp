@@ -80,8 +80,8 @@ OrderErrors errors_of_orders(const Shape& shape) {
             }
         }
     };
-    ScatteringTables<T> tables = bake_scattering(
-        shape.atmosphere, shape, 4, OneAfterAnother{}, [&](int k, const Table<vec3<T>>& order) {
+    ScatteringTables<T> tables =
+        bake_scattering(shape, 4, OneAfterAnother{}, [&](int k, const Table<vec3<T>>& order) {
             judge(k, [&](const PathTraced& view) { return order_at(shape, order, view); });
         });
     for (vec3<T>& texel : tables.multiple.texels) {
@@ -222,7 +222,7 @@ TEST_CASE("the three-dimensional table with all orders, against the path tracer"
     InscatterShape<float> shape{earth<float>()};
     shape.views = 64;
     shape.suns = 32;
-    const ScatteringTables<float> tables = bake_scattering(shape.atmosphere, shape, 4);
+    const ScatteringTables<float> tables = bake_scattering(shape, 4);
     std::vector<double> errors[3];
     for (const PathTraced& view : path_traced()) {
         for (int sun = 0; sun < 3; ++sun) {
@@ -263,7 +263,7 @@ TEST_CASE_TEMPLATE("no air, one substance, white ground, thick air: light is fin
     for (const Atmosphere<T>& world : worlds) {
         for (int orders = 1; orders <= 3; orders += 2) {
             const auto check = [&](const auto& shape) {
-                const ScatteringTables<T> tables = bake_scattering(world, shape, orders);
+                const ScatteringTables<T> tables = bake_scattering(shape, orders);
                 CHECK(all_light(tables.rayleigh));
                 CHECK(all_light(tables.mie));
                 CHECK(all_light(tables.multiple));
@@ -280,14 +280,14 @@ TEST_CASE_TEMPLATE("no air, one substance, white ground, thick air: light is fin
         }
     }
     // Without air nothing is scattered.
-    const ScatteringTables<T> none = bake_scattering(worlds[0], small_bruneton(worlds[0]), 2);
+    const ScatteringTables<T> none = bake_scattering(small_bruneton(worlds[0]), 2);
     for (std::size_t i = 0; i < none.rayleigh.texels.size(); ++i) {
         CHECK(none.rayleigh.texels[i] == vec3<T>(T(0)));
         CHECK(none.multiple.texels[i] == vec3<T>(T(0)));
     }
     // Molecules alone leave the aerosol's table empty.
-    CHECK(sum_of(bake_scattering(worlds[2], small_bruneton(worlds[2]), 1).mie) == 0.0);  // exact: times 0
-    CHECK(sum_of(bake_scattering(worlds[2], small_inscatter(worlds[2]), 1).mie) == 0.0);
+    CHECK(sum_of(bake_scattering(small_bruneton(worlds[2]), 1).mie) == 0.0);  // exact: times 0
+    CHECK(sum_of(bake_scattering(small_inscatter(worlds[2]), 1).mie) == 0.0);
 }
 
 TEST_CASE("the orders are told apart, add up to the table, and dwindle") {
@@ -301,7 +301,7 @@ TEST_CASE("the orders are told apart, add up to the table, and dwindle") {
         OneAfterAnother{}(count, body);
     };
     const ScatteringTables<double> tables =
-        bake_scattering(planet, shape, 6, rows, [&](int order, const Table<vec3<double>>& radiance) {
+        bake_scattering(shape, 6, rows, [&](int order, const Table<vec3<double>>& radiance) {
             CHECK(order == static_cast<int>(sums.size()) + 2);
             sums.push_back(sum_of(radiance));
             for (std::size_t i = 0; i < sum.texels.size(); ++i) {
@@ -315,7 +315,7 @@ TEST_CASE("the orders are told apart, add up to the table, and dwindle") {
         CHECK(sums[i] < 0.6 * sums[i - 1]);  // the blue sky gives on a third to a half of its light each time
         CHECK(sums[i] > 0.05 * sums[i - 1]);
     }
-    const ScatteringTables<double> once = bake_scattering(planet, shape, 1, rows);
+    const ScatteringTables<double> once = bake_scattering(shape, 1, rows);
     CHECK(sum_of(once.multiple) == 0.0);
     CHECK(once.rayleigh.texels == tables.rayleigh.texels);
 }
@@ -326,7 +326,7 @@ TEST_CASE("from orbit by night: dark where no air in sight is lit, and the limb 
     shape.views = 32;
     shape.suns = 16;
     shape.nus = 8;
-    const ScatteringTables<double> tables = bake_scattering(planet, shape, 1);
+    const ScatteringTables<double> tables = bake_scattering(shape, 1);
     const double top = planet.ground_radius + planet.top_altitude;
     const double eye_altitude = 400e3;
     // Over the limb towards the sun, which is so many degrees below the horizontal where the ray enters the
@@ -379,12 +379,34 @@ TEST_CASE("from orbit by night: dark where no air in sight is lit, and the limb 
     CHECK(brightest == 0.0);  // exact: the texels of the lowest suns hold nothing
 }
 
+TEST_CASE("an odd number of views counts as one more") {
+    const Atmosphere<double> planet = earth<double>();
+    const auto check = [](auto odd) {
+        auto even = odd;
+        odd.views = 11;
+        even.views = 12;
+        CHECK(odd.height() == 12);
+        const ScatteringTables<double> a = bake_scattering(odd, 2);
+        const ScatteringTables<double> b = bake_scattering(even, 2);
+        CHECK(a.rayleigh.texels == b.rayleigh.texels);
+        CHECK(a.multiple.texels == b.multiple.texels);
+        // Straight up and straight down, the half of the one and of the other.
+        for (const bool ground : {false, true}) {
+            const double mu = ground ? -1 : 1;
+            CHECK(odd.read(a.rayleigh, 1e4, mu, 0.5, mu * 0.5, ground) ==
+                  even.read(b.rayleigh, 1e4, mu, 0.5, mu * 0.5, ground));
+        }
+    };
+    check(small_bruneton(planet));
+    check(small_inscatter(planet));
+}
+
 TEST_CASE("white ground brightens the sky, black ground does not") {
     Atmosphere<double> planet = earth<double>();
     double sums[2];
     for (int white = 0; white < 2; ++white) {
         planet.ground_albedo = vec3<double>(white);
-        sums[white] = sum_of(bake_scattering(planet, small_bruneton(planet), 3).multiple);
+        sums[white] = sum_of(bake_scattering(small_bruneton(planet), 3).multiple);
     }
     CHECK(sums[1] > 1.3 * sums[0]);
 }
@@ -395,7 +417,7 @@ TEST_CASE("irradiance of the ground is the sky's radiance summed up by another r
     shape.views = 32;
     shape.suns = 24;
     shape.irradiance_suns = 64;
-    const ScatteringTables<double> tables = bake_scattering<Nodes<16>>(planet, shape, 1);
+    const ScatteringTables<double> tables = bake_scattering<Nodes<16>>(shape, 1);
     for (const double sun_elevation : {60.0, 20.0, 5.0}) {
         const vec3<double> to_sun = slope<double>(sun_elevation);
         double expected = 0;

@@ -11,7 +11,7 @@ template <typename T>
 struct BrunetonShape {
     Atmosphere<T> atmosphere;
     int altitudes = 32;
-    int views = 128;  ///< even: half of them for rays to the ground
+    int views = 128;  ///< half of them for rays to the ground; an odd number counts as one more
     int suns = 32;
     int nus = 8;
     int irradiance_suns = 64;
@@ -22,7 +22,7 @@ struct BrunetonShape {
         return nus * suns;
     }
     int height() const {
-        return views;
+        return views + views % 2;
     }
     int depth() const {
         return altitudes;
@@ -38,7 +38,7 @@ struct BrunetonShape {
         const vec3<T> centre((T(i) + T(0.5)) / T(width()), (T(j) + T(0.5)) / T(height()),
                              (T(k) + T(0.5)) / T(depth()));
         ScatteringPoint<T> p =
-            scattering_parameters(atmosphere, centre, lowest_sun, nus, suns, views, altitudes);
+            scattering_parameters(atmosphere, centre, lowest_sun, nus, suns, height(), altitudes);
         p.nu = possible_nu(p.mu, p.mu_s, p.nu);
         return p;
     }
@@ -48,7 +48,7 @@ struct BrunetonShape {
     }
     vec3<T> read(const Table<vec3<T>>& table, T altitude, T mu, T mu_s, T nu, bool reaches_ground) const {
         const ScatteringLookup<T> at = scattering_lookup(atmosphere, altitude, mu, mu_s, nu, reaches_ground,
-                                                         lowest_sun, nus, suns, views, altitudes);
+                                                         lowest_sun, nus, suns, height(), altitudes);
         return sample(table, at.first) * (T(1) - at.weight) + sample(table, at.second) * at.weight;
     }
 };

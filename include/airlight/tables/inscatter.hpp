@@ -13,7 +13,7 @@ template <typename T>
 struct InscatterShape {
     Atmosphere<T> atmosphere;
     int altitudes = 32;
-    int views = 128;  ///< even: half of them for rays to the ground
+    int views = 128;  ///< half of them for rays to the ground; an odd number counts as one more
     int suns = 64;
     int irradiance_suns = 64;
     int irradiance_altitudes = 16;
@@ -23,7 +23,7 @@ struct InscatterShape {
         return altitudes;
     }
     int height() const {
-        return views;
+        return views + views % 2;
     }
     int depth() const {
         return suns;
@@ -40,7 +40,7 @@ struct InscatterShape {
         const vec3<T> centre((T(i) + T(0.5)) / T(width()), (T(j) + T(0.5)) / T(height()),
                              (T(k) + T(0.5)) / T(depth()));
         const AltitudeViewSun<T> p =
-            inscatter_parameters(atmosphere, centre, lowest_sun, altitudes, views, suns);
+            inscatter_parameters(atmosphere, centre, lowest_sun, altitudes, height(), suns);
         return ScatteringPoint<T>{p.altitude, p.mu, p.mu_s, p.mu * p.mu_s, p.reaches_ground};
     }
     /// Any texel of an altitude and a sun.
@@ -49,7 +49,7 @@ struct InscatterShape {
     }
     vec3<T> read(const Table<vec3<T>>& table, T altitude, T mu, T mu_s, T, bool reaches_ground) const {
         return sample(table, inscatter_uvw(atmosphere, altitude, mu, mu_s, reaches_ground, lowest_sun,
-                                           altitudes, views, suns));
+                                           altitudes, height(), suns));
     }
 };
 

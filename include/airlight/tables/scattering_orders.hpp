@@ -92,15 +92,22 @@ struct DirectIrradianceHook {
 };
 
 /// Fills the tables of a shape with `orders` orders of scattering. Scene::nodes is how many samples each leg
-/// of a ray has, and how many polar angles each half of the sphere: with 16 of them sharp aerosol keeps its
-/// energy (within 0.8 % for g = 0.8), with 8 it may gain or lose 14 %.
+/// of a ray has, and how many polar angles each half of the sphere.
 ///
 /// rows(count, body) as in bake_table; each_order(k, table) is shown the radiance of every order from the
 /// second on, in [1/sr], before the next one takes its place.
-template <typename Scene = DefaultScene, typename T, typename Shape, typename Rows = OneAfterAnother,
-          typename EachOrder = KeepNothing>
-ScatteringTables<T> bake_scattering(const Atmosphere<T>& atmosphere, const Shape& shape, int orders,
-                                    const Rows& rows = Rows{}, const EachOrder& each_order = EachOrder{}) {
+///
+/// Units:    those of ScatteringTables, per unit of solar irradiance above the air.
+/// Domain:   a shape whose sizes are >= 1; orders >= 1, fewer count as 1.
+/// Accuracy: by size, docs/multiple_scattering.md; with 16 nodes sharp aerosol keeps its energy (within 0.8 %
+///           for g = 0.8), with 8 it may gain or lose 14 %.
+/// Errors:   none.
+/// Source:   docs/theory/scattering_orders.md.
+template <typename Scene = DefaultScene, typename T, template <typename> class Shape,
+          typename Rows = OneAfterAnother, typename EachOrder = KeepNothing>
+ScatteringTables<T> bake_scattering(const Shape<T>& shape, int orders, const Rows& rows = Rows{},
+                                    const EachOrder& each_order = EachOrder{}) {
+    const Atmosphere<T>& atmosphere = shape.atmosphere;
     using Incident = detail::IncidentTable<T, Scene>;
     const auto empty = [&] { return make_table<vec3<T>>(shape.width(), shape.height(), shape.depth()); };
     ScatteringTables<T> out{empty(), empty(), empty(),
@@ -159,13 +166,13 @@ ScatteringTables<T> bake_scattering(const Atmosphere<T>& atmosphere, const Shape
         });
     };
 
-    const TableHook<T, Shape> rayleigh_hook{shape, out.rayleigh};
-    const TableHook<T, Shape> mie_hook{shape, out.mie};
+    const TableHook<T, Shape<T>> rayleigh_hook{shape, out.rayleigh};
+    const TableHook<T, Shape<T>> mie_hook{shape, out.mie};
     const auto first_order = [&](T altitude, T mu, T mu_s, T nu, bool reaches_ground) {
         return radiance_of_table<T, Scene>(atmosphere, altitude, mu, mu_s, nu, reaches_ground, rayleigh_hook,
                                            mie_hook);
     };
-    const TableHook<T, Shape> order_hook{shape, order};
+    const TableHook<T, Shape<T>> order_hook{shape, order};
     for (int k = 2; k <= orders; ++k) {
         if (k == 2) {
             gather_from_sky(first_order, DirectIrradianceHook<T, Scene>{atmosphere});
@@ -184,9 +191,10 @@ ScatteringTables<T> bake_scattering(const Atmosphere<T>& atmosphere, const Shape
         });
         for_texels([&](int i, int j, int l) {
             const ScatteringPoint<T> p = shape.point(i, j, l);
-            order.texel(i, j, l) = next_order_radiance<T, Scene>(
-                atmosphere, p.altitude, p.mu, p.mu_s, p.nu, p.reaches_ground,
-                TableHook<T, Shape>{shape, gathered_rayleigh}, TableHook<T, Shape>{shape, gathered_mie});
+            order.texel(i, j, l) =
+                next_order_radiance<T, Scene>(atmosphere, p.altitude, p.mu, p.mu_s, p.nu, p.reaches_ground,
+                                              TableHook<T, Shape<T>>{shape, gathered_rayleigh},
+                                              TableHook<T, Shape<T>>{shape, gathered_mie});
             out.multiple.texel(i, j, l) += order.texel(i, j, l);
         });
         each_order(k, order);
