@@ -2532,8 +2532,7 @@ float airlight_unit_from_halves(float u, int size) {
     return airlight_unit_from_texture(abs(2.0 * u - 1.0), size / 2);
 }
 
-// The sun's height, bent so that the horizon gets more room: there (1 + 1 / bend)^2 times as much as at the
-// zenith.
+// The sun's height, bent so that the horizon gets more room, (1 + 1 / bend)^2 times that of the zenith.
 //
 //     (1 + bend) mu / (|mu| + bend)
 //
@@ -2593,8 +2592,7 @@ float airlight_horizon_cosine(float ground_radius, float altitude) {
     return -airlight_horizon_distance(ground_radius, altitude) / (ground_radius + altitude);
 }
 
-// How far the cosines between the horizon and the nadir reach: 1 + horizon_cosine, which would cancel far
-// away.
+// The range of cosines between the horizon and the nadir: 1 + horizon_cosine, but without cancellation.
 //
 //     1 + mu_h = (R / (R + h))^2 / (1 - mu_h)
 //
@@ -4806,8 +4804,8 @@ float airlight_gain_of_last_order(float before, float last) {
 #define AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
 #endif
 
-// Hook: what a table holds for a ray of light scattered twice and more: radiance [1/sr], a sum of
-// next_order_radiance.
+// Hook: what a table holds for a ray of light scattered twice and more: radiance [1/sr], the sum of all its
+// orders' next_order_radiance.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_MULTIPLE_RADIANCE
 #define AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
@@ -4948,9 +4946,8 @@ struct airlight_PhaseWeighted {
 // Units:    lengths in the atmosphere's unit [L]; mu [1].
 // Domain:   altitudes from the ground to the top of the air, others count as the nearer end; mu in [-1, 1].
 // Accuracy: that of air_ray.
-// Errors:   none; a ray that looks up hits no ground, whatever reaches_ground says; one that passes above
-// the
-//           ground and is said to hit it ends at its closest approach.
+// Errors:   none; a ray that looks up hits no ground, whatever reaches_ground says; one that passes
+//           above the ground and is said to hit it ends at its closest approach.
 // Source:   docs/theory/altitude.md; roots without cancellation as in intersect_ray_sphere.
 airlight_AirRay airlight_table_air_ray(airlight_Atmosphere atmosphere, float altitude, float mu,
                                        bool reaches_ground) {
@@ -5137,7 +5134,8 @@ vec3 airlight_incident_light(airlight_Atmosphere atmosphere, float altitude, flo
 //
 // Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr].
 // Domain:   altitudes inside the air; mu, mu_s and nu the cosines of a triangle of directions.
-// Accuracy: with 8 nodes under 1 % where light changes little over 10 degrees.
+// Accuracy: of even light molecules gather all to rounding, aerosol of g = 0.8 up to 14 % too much or too
+//           little with 8 nodes, 0.8 % with 16 (measured: 13.9 %, 0.76 %).
 // Errors:   none.
 // Source:   the gathering function of Elek (2009); the scattering density of Bruneton and Neyret (2008)
 //           without its density, which changes too fast with altitude to be interpolated.
@@ -5236,7 +5234,8 @@ float airlight_missed_light(float found, float lost, float source, float extinct
 // Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr]. gathered_rayleigh and gathered_mie are the
 //           parts of phase_weighted_light along the ray [1/sr].
 // Domain:   that of single_inscatter.
-// Accuracy: that of the hooks; the integral itself better than 1e-3 with 8 nodes.
+// Accuracy: that of the hooks; the integral itself with 8 nodes 3e-4 without ozone, with it 3 % for 95 rays
+//           of 100, 9 % at most where a ray meets an edge of its layer (measured: 2.4e-4; 2.9 %, 8.1 %).
 // Errors:   none.
 // Source:   Elek (2009) and Bruneton and Neyret (2008); node_map without the sun.
 vec3 airlight_next_order_radiance(airlight_Atmosphere atmosphere, float altitude, float mu, float mu_s,
@@ -5290,7 +5289,8 @@ vec3 airlight_next_order_radiance(airlight_Atmosphere atmosphere, float altitude
 //
 // Units:    altitude [L]; mu_s [1]; result [1]. order_radiance as in incident_light.
 // Domain:   altitudes inside the air.
-// Accuracy: that of the hook; the integral itself better than 1e-3 with 8 nodes.
+// Accuracy: that of the hook; the integral itself, of light scattered once, with 8 nodes 1.1 % under a
+//           sun in the zenith, 0.16 % at 60 degrees, 3e-4 from 30 degrees down; with 16 5e-4.
 // Errors:   none.
 // Source:   Lambert's cosine law; Gauss-Legendre quadrature as in sphere_direction.
 vec3 airlight_order_irradiance(airlight_Atmosphere atmosphere, float altitude, float mu_s) {

@@ -18,8 +18,8 @@
 #define AIRLIGHT_SCATTERED_MIE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))
 #endif
 
-// Hook: what a table holds for a ray of light scattered twice and more: radiance [1/sr], a sum of
-// next_order_radiance.
+// Hook: what a table holds for a ray of light scattered twice and more: radiance [1/sr], the sum of all its
+// orders' next_order_radiance.
 // In GLSL, define the macro before this line, as the call of a function of your own.
 #ifndef AIRLIGHT_MULTIPLE_RADIANCE
 #define AIRLIGHT_MULTIPLE_RADIANCE(altitude, mu, mu_s, nu, reaches_ground) (vec3(0.0, 0.0, 0.0))

@@ -65,9 +65,8 @@ struct airlight_PhaseWeighted {
 // Units:    lengths in the atmosphere's unit [L]; mu [1].
 // Domain:   altitudes from the ground to the top of the air, others count as the nearer end; mu in [-1, 1].
 // Accuracy: that of air_ray.
-// Errors:   none; a ray that looks up hits no ground, whatever reaches_ground says; one that passes above
-// the
-//           ground and is said to hit it ends at its closest approach.
+// Errors:   none; a ray that looks up hits no ground, whatever reaches_ground says; one that passes
+//           above the ground and is said to hit it ends at its closest approach.
 // Source:   docs/theory/altitude.md; roots without cancellation as in intersect_ray_sphere.
 airlight_AirRay airlight_table_air_ray(airlight_Atmosphere atmosphere, float altitude, float mu,
                                        bool reaches_ground) {
@@ -254,7 +253,8 @@ vec3 airlight_incident_light(airlight_Atmosphere atmosphere, float altitude, flo
 //
 // Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr].
 // Domain:   altitudes inside the air; mu, mu_s and nu the cosines of a triangle of directions.
-// Accuracy: with 8 nodes under 1 % where light changes little over 10 degrees.
+// Accuracy: of even light molecules gather all to rounding, aerosol of g = 0.8 up to 14 % too much or too
+//           little with 8 nodes, 0.8 % with 16 (measured: 13.9 %, 0.76 %).
 // Errors:   none.
 // Source:   the gathering function of Elek (2009); the scattering density of Bruneton and Neyret (2008)
 //           without its density, which changes too fast with altitude to be interpolated.
@@ -353,7 +353,8 @@ float airlight_missed_light(float found, float lost, float source, float extinct
 // Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr]. gathered_rayleigh and gathered_mie are the
 //           parts of phase_weighted_light along the ray [1/sr].
 // Domain:   that of single_inscatter.
-// Accuracy: that of the hooks; the integral itself better than 1e-3 with 8 nodes.
+// Accuracy: that of the hooks; the integral itself with 8 nodes 3e-4 without ozone, with it 3 % for 95 rays
+//           of 100, 9 % at most where a ray meets an edge of its layer (measured: 2.4e-4; 2.9 %, 8.1 %).
 // Errors:   none.
 // Source:   Elek (2009) and Bruneton and Neyret (2008); node_map without the sun.
 vec3 airlight_next_order_radiance(airlight_Atmosphere atmosphere, float altitude, float mu, float mu_s,
@@ -407,7 +408,8 @@ vec3 airlight_next_order_radiance(airlight_Atmosphere atmosphere, float altitude
 //
 // Units:    altitude [L]; mu_s [1]; result [1]. order_radiance as in incident_light.
 // Domain:   altitudes inside the air.
-// Accuracy: that of the hook; the integral itself better than 1e-3 with 8 nodes.
+// Accuracy: that of the hook; the integral itself, of light scattered once, with 8 nodes 1.1 % under a
+//           sun in the zenith, 0.16 % at 60 degrees, 3e-4 from 30 degrees down; with 16 5e-4.
 // Errors:   none.
 // Source:   Lambert's cosine law; Gauss-Legendre quadrature as in sphere_direction.
 vec3 airlight_order_irradiance(airlight_Atmosphere atmosphere, float altitude, float mu_s) {

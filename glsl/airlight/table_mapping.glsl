@@ -95,8 +95,7 @@ float airlight_unit_from_halves(float u, int size) {
     return airlight_unit_from_texture(abs(2.0 * u - 1.0), size / 2);
 }
 
-// The sun's height, bent so that the horizon gets more room: there (1 + 1 / bend)^2 times as much as at the
-// zenith.
+// The sun's height, bent so that the horizon gets more room, (1 + 1 / bend)^2 times that of the zenith.
 //
 //     (1 + bend) mu / (|mu| + bend)
 //
@@ -156,8 +155,7 @@ float airlight_horizon_cosine(float ground_radius, float altitude) {
     return -airlight_horizon_distance(ground_radius, altitude) / (ground_radius + altitude);
 }
 
-// How far the cosines between the horizon and the nadir reach: 1 + horizon_cosine, which would cancel far
-// away.
+// The range of cosines between the horizon and the nadir: 1 + horizon_cosine, but without cancellation.
 //
 //     1 + mu_h = (R / (R + h))^2 / (1 - mu_h)
 //

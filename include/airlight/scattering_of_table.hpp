@@ -14,8 +14,8 @@ struct NothingScattered {
     }
 };
 
-/// Hook: what a table holds for a ray of light scattered twice and more: radiance [1/sr], a sum of
-/// next_order_radiance.
+/// Hook: what a table holds for a ray of light scattered twice and more: radiance [1/sr], the sum of all its
+/// orders' next_order_radiance.
 struct NoMultipleRadiance {
     template <typename T>
     vec3<T> operator()([[maybe_unused]] T altitude, [[maybe_unused]] T mu, [[maybe_unused]] T mu_s,

@@ -62,9 +62,8 @@ struct NoIncidentLight {
 /// Units:    lengths in the atmosphere's unit [L]; mu [1].
 /// Domain:   altitudes from the ground to the top of the air, others count as the nearer end; mu in [-1, 1].
 /// Accuracy: that of air_ray.
-/// Errors:   none; a ray that looks up hits no ground, whatever reaches_ground says; one that passes above
-/// the
-///           ground and is said to hit it ends at its closest approach.
+/// Errors:   none; a ray that looks up hits no ground, whatever reaches_ground says; one that passes
+///           above the ground and is said to hit it ends at its closest approach.
 /// Source:   docs/theory/altitude.md; roots without cancellation as in intersect_ray_sphere.
 template <typename T>
 AirRay<T> table_air_ray(const Atmosphere<T>& atmosphere, T altitude, T mu, bool reaches_ground) {
@@ -255,7 +254,8 @@ vec3<T> incident_light(const Atmosphere<T>& atmosphere, T altitude, T mu_s, int 
 ///
 /// Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr].
 /// Domain:   altitudes inside the air; mu, mu_s and nu the cosines of a triangle of directions.
-/// Accuracy: with 8 nodes under 1 % where light changes little over 10 degrees.
+/// Accuracy: of even light molecules gather all to rounding, aerosol of g = 0.8 up to 14 % too much or too
+///           little with 8 nodes, 0.8 % with 16 (measured: 13.9 %, 0.76 %).
 /// Errors:   none.
 /// Source:   the gathering function of Elek (2009); the scattering density of Bruneton and Neyret (2008)
 ///           without its density, which changes too fast with altitude to be interpolated.
@@ -358,7 +358,8 @@ T missed_light(T found, T lost, T source, T extinction) {
 /// Units:    altitude [L]; mu, mu_s and nu [1]; result [1/sr]. gathered_rayleigh and gathered_mie are the
 ///           parts of phase_weighted_light along the ray [1/sr].
 /// Domain:   that of single_inscatter.
-/// Accuracy: that of the hooks; the integral itself better than 1e-3 with 8 nodes.
+/// Accuracy: that of the hooks; the integral itself with 8 nodes 3e-4 without ozone, with it 3 % for 95 rays
+///           of 100, 9 % at most where a ray meets an edge of its layer (measured: 2.4e-4; 2.9 %, 8.1 %).
 /// Errors:   none.
 /// Source:   Elek (2009) and Bruneton and Neyret (2008); node_map without the sun.
 template <typename T, typename Scene = DefaultScene, typename GatheredRayleigh = NothingGathered,
@@ -416,7 +417,8 @@ vec3<T> next_order_radiance(const Atmosphere<T>& atmosphere, T altitude, T mu, T
 ///
 /// Units:    altitude [L]; mu_s [1]; result [1]. order_radiance as in incident_light.
 /// Domain:   altitudes inside the air.
-/// Accuracy: that of the hook; the integral itself better than 1e-3 with 8 nodes.
+/// Accuracy: that of the hook; the integral itself, of light scattered once, with 8 nodes 1.1 % under a
+///           sun in the zenith, 0.16 % at 60 degrees, 3e-4 from 30 degrees down; with 16 5e-4.
 /// Errors:   none.
 /// Source:   Lambert's cosine law; Gauss-Legendre quadrature as in sphere_direction.
 template <typename T, typename Scene = DefaultScene, typename OrderRadiance = NoOrderRadiance>

@@ -108,8 +108,7 @@ T unit_from_halves(T u, int size) {
     return unit_from_texture(glm::abs(T(2) * u - T(1)), size / 2);
 }
 
-/// The sun's height, bent so that the horizon gets more room: there (1 + 1 / bend)^2 times as much as at the
-/// zenith.
+/// The sun's height, bent so that the horizon gets more room, (1 + 1 / bend)^2 times that of the zenith.
 ///
 ///     (1 + bend) mu / (|mu| + bend)
 ///
@@ -174,8 +173,7 @@ T horizon_cosine(T ground_radius, T altitude) {
     return -horizon_distance(ground_radius, altitude) / (ground_radius + altitude);
 }
 
-/// How far the cosines between the horizon and the nadir reach: 1 + horizon_cosine, which would cancel far
-/// away.
+/// The range of cosines between the horizon and the nadir: 1 + horizon_cosine, but without cancellation.
 ///
 ///     1 + mu_h = (R / (R + h))^2 / (1 - mu_h)
 ///

@@ -227,12 +227,12 @@ TEST_CASE("even light from everywhere is gathered whole") {
     even_light<Nodes<16>>(molecules, with_16);
     CHECK(molecules < 1e-13);  // a polynomial of degree 2: the rule is exact
     std::printf(
-        "accuracy phase_weighted_light<double>, aerosol of g = 0.8: worst %.2g with 8 nodes, %.2g with 16\n",
+        "accuracy phase_weighted_light<double>, aerosol of g = 0.8: worst %.3g with 8 nodes, %.3g with 16\n",
         with_8, with_16);
     // Modelling: a lobe 10 degrees wide, by directions 11 or 5 degrees apart.
-    CHECK(with_8 < 0.15);
-    CHECK(with_8 > 0.02);  // which is why bakes have 16
-    CHECK(with_16 < 0.01);
+    CHECK(with_8 < 0.145);    // measured: 0.139
+    CHECK(with_8 > 0.1);      // which is why bakes have 16
+    CHECK(with_16 < 0.0080);  // measured: 0.0076
 }
 
 TEST_CASE("a ray that gathers even light and absorbs nothing gives back what it lets not through") {
@@ -252,10 +252,9 @@ TEST_CASE("a ray that gathers even light and absorbs nothing gives back what it 
             for (int i = 0; i < 3; ++i) {
                 CAPTURE(thickness);
                 CAPTURE(mu);
-                // Modelling: 8 nodes on a leg (measured: 2e-3 where the air is thickest); never more than
-                // there is.
-                CHECK(light[i] <= 1 - passed[i] + 1e-5);
-                CHECK(light[i] >= (1 - passed[i]) * (1 - 0.02));
+                // The nodes' light is scaled to what the ray loses: both ways to its transmittance differ by
+                // 5e-7 at most.
+                CHECK(std::fabs(light[i] / (1 - passed[i]) - 1) < 1e-6);
             }
         }
     }
@@ -286,6 +285,90 @@ TEST_CASE_TEMPLATE("even light from above is pi of irradiance", T, float, double
     const vec3<T> sky = order_irradiance<T, DefaultScene>(planet, T(0), T(0.4L), Uniform{1});
     // 128 terms are added.
     CHECK_WITHIN(compare_ulp("order_irradiance", {}, sky.x, pi<long double>), 128.0L);
+}
+
+namespace {
+
+/// The sky's light scattered once, computed where it is asked for.
+struct SkyOfOrderOne {
+    Atmosphere<double> planet;
+    vec3<double> operator()(double altitude, double mu, double mu_s, double nu, bool ground) const {
+        const InScatter<double> light =
+            single_inscatter<double, Nodes<24>>(planet, altitude, mu, mu_s, nu, ground);
+        return rayleigh_phase(nu) * light.rayleigh +
+               mie_phase<double, DefaultScene>(nu, planet.mie_g) * light.mie;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("irradiance by the sky of order 1: 8 nodes miss the glare around a high sun") {
+    const SkyOfOrderOne sky{earth<double>()};
+    struct Sun {
+        double elevation;
+        double
+            most;  // modelling: aerosol's lobe of 10 degrees around the sun, by directions 11 degrees apart
+    };
+    for (const Sun sun : {Sun{90, 0.011}, Sun{60, 1.6e-3}, Sun{30, 3.2e-4}, Sun{10, 1.1e-4}, Sun{0, 5e-5}}) {
+        const double mu_s = slope<double>(sun.elevation).z;
+        const double fine = order_irradiance<double, Nodes<24>>(sky.planet, 0.0, mu_s, sky).y;
+        const double by_16 = order_irradiance<double, Nodes<16>>(sky.planet, 0.0, mu_s, sky).y;
+        const double by_8 = order_irradiance<double, DefaultScene>(sky.planet, 0.0, mu_s, sky).y;
+        std::printf("accuracy order_irradiance<double>, sun %g: %+.2g with 8 nodes, %+.2g with 16\n",
+                    sun.elevation, by_8 / fine - 1, by_16 / fine - 1);
+        CHECK(std::fabs(by_8 / fine - 1) < sun.most);
+        CHECK(std::fabs(by_16 / fine - 1) < 5e-4);
+    }
+}
+
+namespace {
+
+struct FineWithoutOzone : NoOzone {
+    static constexpr int nodes = 24;
+};
+
+/// Gathered light that fades upwards and towards the night, as that of the blue sky does.
+struct FadingLight {
+    template <typename T>
+    vec3<T> operator()(T altitude, T, T mu_s, T, bool) const {
+        const T light = std::exp(-altitude / T(2e4)) * std::exp(T(8) * std::fmin(mu_s, T(0)));
+        return vec3<T>(light, light, light);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("one more order of uneven light by 8 nodes is nearly that by 24, but where ozone has its edges") {
+    Random random(31);
+    std::vector<double> with_ozone;
+    std::vector<double> without;
+    const Atmosphere<double> planet = earth<double>();
+    for (int i = 0; i < 4000; ++i) {
+        const double altitude = random.log_uniform(1, 6e4);
+        const vec3<double> direction = slope<double>(random.uniform(-90, 90), random.uniform(0, 180));
+        const vec3<double> to_sun = slope<double>(random.uniform(-10, 90));
+        const Ray<double> ray = ray_of_view(planet, altitude, direction, to_sun);
+        const auto light = [&](auto scene) {
+            return next_order_radiance<double, decltype(scene)>(planet, altitude, ray.mu, ray.mu_s, ray.nu,
+                                                                ray.reaches_ground, FadingLight{},
+                                                                FadingLight{})
+                .y;
+        };
+        with_ozone.push_back(std::fabs(light(DefaultScene{}) / light(Nodes<24>{}) - 1));
+        without.push_back(std::fabs(light(NoOzone{}) / light(FineWithoutOzone{}) - 1));
+    }
+    const ErrorMetrics most = error_metrics(with_ozone);
+    const ErrorMetrics air = error_metrics(without);
+    std::printf(
+        "accuracy next_order_radiance<double>, green, 8 nodes: median %.2g, p95 %.2g, max %.2g; without "
+        "ozone "
+        "median %.2g, p95 %.2g, max %.2g\n",
+        most.median, most.p95, most.largest, air.median, air.p95, air.largest);
+    // Modelling: the ozone's profile has edges, between which so few nodes misjudge what a ray loses.
+    CHECK(most.median < 1.3e-3);  // measured: 1.1e-3
+    CHECK(most.p95 < 0.032);      // measured: 0.029
+    CHECK(most.largest < 0.09);   // measured: 0.081
+    CHECK(air.largest < 3e-4);    // measured: 2.4e-4
 }
 
 TEST_CASE_TEMPLATE("any air, ray and sun: light is finite and never negative", T, float, double) {
