@@ -82,6 +82,13 @@ TEST_CASE("NaN and infinity read an edge") {
     CHECK(sample(table, vec2<float>(-infinity, infinity)) == 3.0F);
 }
 
+TEST_CASE("an empty table is black") {
+    const Table<vec3<float>> table = make_table<vec3<float>>(0, 4);
+    CHECK(sample(table, vec2<float>(0.5F, 0.5F)) == vec3<float>(0.0F));
+    CHECK(sample(table, vec3<float>(0.5F, 0.5F, 0.5F)) == vec3<float>(0.0F));
+    CHECK(sample(Table<float>{0, 0, 0, {}}, vec2<float>(0.5F, 0.5F)) == 0.0F);
+}
+
 TEST_CASE("the caller's threads fill every texel once, in any order") {
     Table<int> one = make_table<int>(7, 5, 3);
     Table<int> other = make_table<int>(7, 5, 3);

@@ -25,6 +25,14 @@ struct FroxelSize {
 };
 
 /// Fills froxels: light scattered once, and more often as the hook says.
+///
+/// Units:    lengths in the atmosphere's unit [L]; to_sun a unit vector; sizes in texels; texels those of
+///           FroxelAir.
+/// Domain:   that of all_scattering; max_distance > 0; width and height >= 1, depth >= 2; size.slices is
+///           slices_linear or slices_quadratic.
+/// Accuracy: that of froxel_texel; read between texels by size, docs/tables.md.
+/// Errors:   none.
+/// Source:   froxel_texel.
 template <typename T, typename Scene = DefaultScene, typename MultipleScattering = NoDiffuseLight,
           typename Rows = OneAfterAnother>
 Froxels<T> bake_froxels(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, const CameraRays<T>& camera,
@@ -47,6 +55,13 @@ Froxels<T> bake_froxels(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye
 }
 
 /// The air up to a surface at a point of the screen.
+///
+/// Units:    screen [1], in [0, 1]; distance [L]; result per unit of solar irradiance above the air, radiance
+///           [1/sr].
+/// Domain:   froxels of bake_froxels; every distance, beyond max_distance it counts as there.
+/// Accuracy: by size, docs/tables.md.
+/// Errors:   none; empty tables give no air.
+/// Source:   froxel_light.
 template <typename T>
 Scattered<T> froxel_light_of(const Froxels<T>& froxels, const vec2<T>& screen, T distance) {
     const auto look_up = [&](const vec3<T>& uvw) {

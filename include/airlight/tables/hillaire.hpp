@@ -16,7 +16,13 @@ struct HillaireEffort {
     int steps = 20;
 };
 
-/// x the sun, y the altitude, see altitude_sun_uv.
+/// Fills Hillaire's table: x the sun, y the altitude, see altitude_sun_uv.
+///
+/// Units:    texels [1/sr] per unit of solar irradiance above the air, spectra; width and height in texels.
+/// Domain:   that of hillaire_texel; width, height and all of effort >= 1.
+/// Accuracy: that of hillaire_texel; read between texels by size, docs/tables.md.
+/// Errors:   none.
+/// Source:   hillaire_texel.
 template <typename T, typename Scene = DefaultScene, typename Rows = OneAfterAnother>
 Table<vec3<T>> bake_hillaire(const Atmosphere<T>& atmosphere, int width = 32, int height = 32,
                              const HillaireEffort& effort = HillaireEffort{}, const Rows& rows = Rows{}) {
@@ -38,8 +44,8 @@ template <typename T>
 struct HillaireLight {
     const Atmosphere<T>* atmosphere;
     const Table<vec3<T>>* table;
-    bool roots =
-        false;  ///< the texels are stored_light: two to three times closer in twilight, and fit for half
+    /// The texels are stored_light: two to three times closer in twilight, and fit for half.
+    bool roots = false;
 
     DiffuseLight<T> operator()(T altitude, T mu_s) const {
         const vec3<T> texels =

@@ -7,8 +7,15 @@
 
 namespace airlight {
 
-/// The sky for an eye at `altitude` with the sun at mu_s, without ground or sun; scattered once, and more
-/// often as the hook says. An odd height counts as one more.
+/// Fills the sky for an eye at `altitude` with the sun at mu_s, without ground or sun; scattered once, and
+/// more often as the hook says. An odd height counts as one more.
+///
+/// Units:    altitude [L]; mu_s [1], cosine between the sun and the vertical; texels [1/sr] per unit of solar
+///           irradiance above the air, spectra; width and height in texels.
+/// Domain:   that of sky_view_ray; width and height >= 1.
+/// Accuracy: that of sky_view_texel; read between texels by size, docs/tables.md.
+/// Errors:   none.
+/// Source:   sky_view_texel.
 template <typename T, typename Scene = DefaultScene, typename MultipleScattering = NoDiffuseLight,
           typename Rows = OneAfterAnother>
 Table<vec3<T>> bake_sky_view(const Atmosphere<T>& atmosphere, T altitude, T mu_s, int width = 192,
@@ -27,6 +34,14 @@ Table<vec3<T>> bake_sky_view(const Atmosphere<T>& atmosphere, T altitude, T mu_s
 }
 
 /// Radiance of the sky in a direction, from the table of this eye and sun.
+///
+/// Units:    altitude of the eye [L]; direction and to_sun unit vectors; result [1/sr] per unit of solar
+///           irradiance above the air.
+/// Shape:    the result is a spectrum.
+/// Domain:   the eye and the sun for which the table was baked.
+/// Accuracy: by size, docs/tables.md.
+/// Errors:   none; an empty table gives 0.
+/// Source:   sky_view_place.
 template <typename T>
 vec3<T> sky_view_radiance(const Table<vec3<T>>& table, const Atmosphere<T>& atmosphere,
                           const Viewpoint<T>& eye, const vec3<T>& direction, const vec3<T>& to_sun) {

@@ -30,6 +30,12 @@ struct Table {
 };
 
 /// A table of that size with every texel Texel(0).
+///
+/// Units:    sizes in texels.
+/// Domain:   sizes >= 1; a size of 0 makes an empty table, which sample reads as Texel(0).
+/// Accuracy: exact.
+/// Errors:   std::bad_alloc where it does not fit into memory.
+/// Source:   none.
 template <typename Texel>
 Table<Texel> make_table(int width, int height, int depth = 1) {
     const std::size_t count =
@@ -77,15 +83,27 @@ Texel sample_slice(const Table<Texel>& table, const AxisTexels<T>& x, const Axis
 }  // namespace detail
 
 /// The table at texture coordinates, filtered as OpenGL does it: GL_LINEAR, GL_CLAMP_TO_EDGE. The scalar of
-/// the texels is that of uv. NaN reads the first texel.
+/// the texels is that of uv. Two coordinates read the first slice.
+///
+/// Units:    uv and uvw [1]; result that of the texels.
+/// Domain:   every number; a table as make_table returns it.
+/// Accuracy: 3 roundoffs of the largest texel for each axis, and a roundoff of the size in the place.
+/// Errors:   NaN reads the first texel; an empty table Texel(0).
+/// Source:   the OpenGL specification, texture minification by GL_LINEAR.
 template <typename Texel, typename T>
 Texel sample(const Table<Texel>& table, const vec2<T>& uv) {
+    if (table.texels.empty()) {
+        return Texel(0);
+    }
     return detail::sample_slice(table, detail::axis_texels(uv.x, table.width),
                                 detail::axis_texels(uv.y, table.height), 0);
 }
 
 template <typename Texel, typename T>
 Texel sample(const Table<Texel>& table, const vec3<T>& uvw) {
+    if (table.texels.empty()) {
+        return Texel(0);
+    }
     const detail::AxisTexels<T> x = detail::axis_texels(uvw.x, table.width);
     const detail::AxisTexels<T> y = detail::axis_texels(uvw.y, table.height);
     const detail::AxisTexels<T> z = detail::axis_texels(uvw.z, table.depth);
@@ -94,6 +112,12 @@ Texel sample(const Table<Texel>& table, const vec3<T>& uvw) {
 }
 
 /// Texture coordinates of a texel's centre.
+///
+/// Units:    i, j, k and sizes in texels; result [1].
+/// Domain:   a table whose sizes are >= 1; i, j, k from 0 to the size less 1.
+/// Accuracy: 1 roundoff.
+/// Errors:   none in the domain.
+/// Source:   none.
 template <typename T, typename Texel>
 vec3<T> texel_centre(const Table<Texel>& table, int i, int j, int k = 0) {
     return vec3<T>((T(i) + T(0.5)) / T(table.width), (T(j) + T(0.5)) / T(table.height),
@@ -113,6 +137,12 @@ struct OneAfterAnother {
 /// Fills a table: texel_at(i, j, k) returns what belongs there. rows(count, body) has to call body(row) once
 /// for every row from 0 to count - 1, in any order and on any threads: a caller's place for threads and
 /// progress. Rows run through all slices.
+///
+/// Units:    those of texel_at.
+/// Domain:   a table as make_table returns it.
+/// Accuracy: that of texel_at.
+/// Errors:   none; an empty table stays so.
+/// Source:   none.
 template <typename Texel, typename TexelAt, typename Rows = OneAfterAnother>
 void bake_table(Table<Texel>& table, const TexelAt& texel_at, const Rows& rows = Rows{}) {
     rows(table.height * table.depth, [&](int row) {

@@ -7,7 +7,13 @@
 
 namespace airlight {
 
-/// Two numbers a texel, linear filtering, see slant_texel.
+/// Fills a table of slants: two numbers a texel, see slant_texel; for linear filtering.
+///
+/// Units:    texels [1]; width and height in texels.
+/// Domain:   that of slant_texel; width and height >= 1.
+/// Accuracy: that of slant_texel; read between texels that of column_from_slants.
+/// Errors:   none.
+/// Source:   slant_texel.
 template <typename T, typename Scene = DefaultScene, typename Rows = OneAfterAnother>
 Table<vec2<T>> bake_slants(const Atmosphere<T>& atmosphere, int width = 64, int height = 32,
                            const Rows& rows = Rows{}) {
@@ -34,8 +40,14 @@ struct SlantTransmittance {
     }
 };
 
-/// The transmittances themselves over altitude and angle, 0 behind the planet: simple, and off by what a
-/// share of a texel makes of a number that changes a thousandfold (docs/tables.md).
+/// Fills a table of the transmittances themselves over altitude and angle, 0 behind the planet: simple, and
+/// off by what a share of a texel makes of a number that changes a thousandfold.
+///
+/// Units:    texels [1], spectra; width and height in texels.
+/// Domain:   that of transmittance_to_space; width and height >= 1.
+/// Accuracy: that of transmittance_to_space; read between texels by size, docs/tables.md.
+/// Errors:   none.
+/// Source:   transmittance_to_space, extinction_uv.
 template <typename T, typename Scene = DefaultScene, typename Rows = OneAfterAnother>
 Table<vec3<T>> bake_extinction(const Atmosphere<T>& atmosphere, int width = 256, int height = 256,
                                const Rows& rows = Rows{}) {
