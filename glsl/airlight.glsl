@@ -4691,9 +4691,8 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
     airlight_DiffuseLight light = airlight_even_light(none);
     airlight_SkyIrradiance irradiance = airlight_SkyIrradiance(none, none, none);
     float above = max(altitude, 0.0);
-    float sun_cosine = clamp(mu_s, -0.99955, 0.99955);
-    float sun_sine = sqrt((1.0 - sun_cosine) * (1.0 + sun_cosine));
-    vec3 to_sun = vec3(sun_sine, 0.0, sun_cosine);
+    vec3 to_sun = airlight_sun_over_x(clamp(mu_s, -0.99955, 0.99955));
+    float sun_sine = to_sun.x;
     float strength = 4.0 * airlight_pi;
     float g = atmosphere.mie_g;
     float up = 0.0;

@@ -41,10 +41,9 @@ AirTables baked(TableKind kind, const airlight::Atmosphere<float>& air) {
         const support::Rows rows(kind == TableKind::bruneton ? "table of four dimensions"
                                                              : "table of three dimensions");
         rows.expect_passes(airlight::passes_of_bake(scattering_orders));
-        out.scattering =
-            kind == TableKind::bruneton
-                ? airlight::bake_scattering<Scene>(out.bruneton_shape, scattering_orders, rows)
-                : airlight::bake_scattering<Scene>(out.inscatter_shape, scattering_orders, rows);
+        out.scattering = kind == TableKind::bruneton
+                             ? airlight::bake_scattering<Scene>(out.bruneton_shape, scattering_orders, rows)
+                             : airlight::bake_scattering<Scene>(out.inscatter_shape, scattering_orders, rows);
     }
     return out;
 }
@@ -72,7 +71,7 @@ AirTables bake_tables(TableKind kind, const World& world) {
 
 GpuTables::GpuTables(const AirTables& tables)
     : kind_(tables.kind),
-      scattering_size_(tables.bruneton_shape.nus, tables.bruneton_shape.suns, tables.bruneton_shape.views,
+      scattering_size_(tables.bruneton_shape.nus, tables.bruneton_shape.suns, tables.bruneton_shape.height(),
                        tables.bruneton_shape.altitudes) {
     if (tables.kind == TableKind::transmittance) {
         textures_.push_back(texture_of(tables.slants));

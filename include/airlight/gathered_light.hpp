@@ -78,9 +78,8 @@ GatheredLight<T> gathered_light(const Atmosphere<T>& atmosphere, T altitude, T m
     DiffuseLight<T> light = even_light(none);
     SkyIrradiance<T> irradiance = SkyIrradiance<T>{none, none, none};
     const T above = glm::max(altitude, T(0));
-    const T sun_cosine = glm::clamp(mu_s, T(-0.99955L), T(0.99955L));
-    const T sun_sine = glm::sqrt((T(1) - sun_cosine) * (T(1) + sun_cosine));
-    const vec3<T> to_sun = vec3<T>(sun_sine, T(0), sun_cosine);
+    const vec3<T> to_sun = sun_over_x(glm::clamp(mu_s, T(-0.99955L), T(0.99955L)));
+    const T sun_sine = to_sun.x;
     const T strength = T(4) * pi<T>;
     const T g = atmosphere.mie_g;
     T up = T(0);
