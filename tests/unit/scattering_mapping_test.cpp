@@ -51,7 +51,8 @@ TEST_CASE_TEMPLATE("the improved table has the horizon in its middle and half of
 }
 
 TEST_CASE_TEMPLATE("below the ground a table of scattered light is read at the ground", T, float, double) {
-    // Contradiction 8 of the sources: the height is clamped in one place, mirrored in another.
+    // A source disagrees with itself: one function clamps an altitude at the ground, another takes its
+    // absolute value.
     const Atmosphere<T> air = earth<T>();
     const T lowest = lowest_sun_cosine(air);
     for (const T depth : {T(1), T(1e3), T(6.36e6), T(1e9)}) {

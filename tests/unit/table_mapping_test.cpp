@@ -55,8 +55,8 @@ TEST_CASE_TEMPLATE("an extinction table has altitude along x and the angle along
 TEST_CASE_TEMPLATE(
     "an extinction table is even in the cosine: a quarter of the way down is 60 degrees, not 45", T, float,
     double) {
-    // Contradiction 11 of the sources: a quarter of the way down a table even in the angle has 45 degrees,
-    // and so has the direction (1 - |a|, a) at a = 1/2.
+    // In a source the direction of the table is neither angle nor cosine. A quarter of the way down a table
+    // even in the angle has 45 degrees, and so has the direction (1 - |a|, a) at a = 1/2.
     const Atmosphere<T> air = earth<T>();
     const vec2<T> quarter = extinction_uv(air, T(0), T(0.5), 65, 65);
     CHECK(quarter.y == T(16.5L) / T(65));  // exact: 1/2 + 64 / 4, and one quotient on both sides

@@ -203,7 +203,7 @@ TEST_CASE(
 TEST_CASE("an eye that climbs from slice to slice of the three-dimensional table sees no step") {
     const Atmosphere<double> planet = earth<double>();
     const InscatterShape<double> shape = small_inscatter(planet);
-    const ScatteringTables<double> tables = bake_scattering(planet, shape, 1);
+    const ScatteringTables<double> tables = bake_scattering(shape, 1);
     for (int slice = 1; slice + 1 < shape.altitudes; ++slice) {
         const double share = double(slice) / (shape.altitudes - 1);
         const double altitude = share * share * planet.top_altitude;  // the mapping's square root
