@@ -4123,17 +4123,20 @@ vec3 airlight_depth_of_legs(airlight_Atmosphere atmosphere, airlight_RayLegs leg
 //
 //     (1 - exp(-depth)) / found
 //
+// Of a ray thinner than thin_depth the nodes' depth is taken: a difference of columns has no digits for it.
+//
 // Units:    found, swept and depth [1]: what the nodes found of the loss, the optical depth by the nodes and
 // in
 //           closed form; result [1].
 // Domain:   all >= 0.
 // Accuracy: that of one_minus_exp.
-// Errors:   none; nodes that found next to nothing give 1. Of a ray thinner than thin_depth the nodes' depth
-//           is taken: a difference of columns has no digits for it.
+// Errors:   none; where there was nothing to find and nothing found, 1.
 // Source:   conservation of energy.
 float airlight_loss_ratio(float found, float swept, float depth) {
-    float known = depth < airlight_thin_depth ? min(swept, airlight_thin_depth) : depth;
-    return found > airlight_smallest_share ? airlight_one_minus_exp(known) / found : 1.0;
+    float thin = airlight_thin_depth;
+    float closed = clamp(2.0 * depth / thin - 1.0, 0.0, 1.0);
+    float known = (1.0 - closed) * min(swept, thin) + closed * depth;
+    return (airlight_one_minus_exp(known) + airlight_smallest_share) / (found + airlight_smallest_share);
 }
 
 // loss_ratio of each channel.

@@ -18,8 +18,8 @@ constexpr std::uint32_t inputs = 0;      ///< storage buffer: what differs from 
 constexpr std::uint32_t results = 1;     ///< storage buffer
 constexpr std::uint32_t atmosphere = 2;  ///< uniform buffer: the same for every ray
 constexpr std::uint32_t table = 3;       ///< sampled images from here on: what a table hook reads
-constexpr std::uint32_t tables = 4;      ///< how many
-constexpr std::uint32_t sizes = 7;       ///< uniform buffer: of tables
+constexpr std::uint32_t tables = 3;      ///< how many
+constexpr std::uint32_t sizes = 6;       ///< uniform buffer: of tables
 }  // namespace binding
 
 /// Generated GLSL and the manifest that describes it.

@@ -72,18 +72,21 @@ vec3<T> depth_of_legs(const Atmosphere<T>& atmosphere, const RayLegs<T>& legs) {
 ///
 ///     (1 - exp(-depth)) / found
 ///
+/// Of a ray thinner than thin_depth the nodes' depth is taken: a difference of columns has no digits for it.
+///
 /// Units:    found, swept and depth [1]: what the nodes found of the loss, the optical depth by the nodes and
 /// in
 ///           closed form; result [1].
 /// Domain:   all >= 0.
 /// Accuracy: that of one_minus_exp.
-/// Errors:   none; nodes that found next to nothing give 1. Of a ray thinner than thin_depth the nodes' depth
-///           is taken: a difference of columns has no digits for it.
+/// Errors:   none; where there was nothing to find and nothing found, 1.
 /// Source:   conservation of energy.
 template <typename T>
 T loss_ratio(T found, T swept, T depth) {
-    const T known = depth < thin_depth<T> ? glm::min(swept, thin_depth<T>) : depth;
-    return found > smallest_share<T> ? one_minus_exp(known) / found : T(1);
+    const T thin = thin_depth<T>;
+    const T closed = glm::clamp(T(2) * depth / thin - T(1), T(0), T(1));
+    const T known = (T(1) - closed) * glm::min(swept, thin) + closed * depth;
+    return (one_minus_exp(known) + smallest_share<T>) / (found + smallest_share<T>);
 }
 
 /// loss_ratio of each channel.
