@@ -14,11 +14,13 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <map>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "csv.hpp"
 #include "error_metrics.hpp"
 #include "path_traced.hpp"
 #include "scenes.hpp"
@@ -69,6 +71,7 @@ struct Result {
     double seconds = 0;                       ///< of the bake, on all cores
     std::size_t numbers = 0;                  ///< in all tables that the way reads
     double cost = 0;                          ///< of a view ray, of that of single_scattering
+    double cycles = 0;                        ///< of 64 view rays on a GPU; 0 where nobody counted them
     airlight_test::ErrorMetrics all[3];       ///< against all orders of the path tracer, by class of sun
     airlight_test::ErrorMetrics the_same[3];  ///< against its first `orders`
 };
@@ -115,6 +118,28 @@ airlight::vec3<T> scattered_once(const airlight::Atmosphere<T>& air, const PathT
         .radiance;
 }
 
+/// Cycles of 64 rays on a GPU, the sum of functions in the table of shader_cost.
+double gpu_cycles(const std::vector<std::map<std::string, std::string>>& functions) {
+    static const char* const path = STUDY_ROOT "/bench/shader_cost/results.csv";
+    static const study::Csv prices = study::read_csv(path);
+    double cycles = 0;
+    for (const auto& function : functions) {
+        const std::size_t row = prices.find(function);
+        if (row == prices.rows.size()) {
+            throw support::Error(std::string(path) + " has no '" + function.at("method") +
+                                 "' as the study asks for it; measure anew: shader_cost --write");
+        }
+        cycles += prices.number(row, "inverse_throughput_cycles");
+    }
+    return cycles;
+}
+
+/// Of all_scattering by a table.
+double gpu_cycles_with(const std::string& table, const std::string& nodes) {
+    return gpu_cycles({{{"method", "single_scattering"}, {"setting", nodes}, {"flags", "default"}},
+                       {{"method", "diffuse_scattering"}, {"setting", nodes}, {"flags", "table=" + table}}});
+}
+
 template <typename T, typename Light>
 void judge(Result& result, const Settings& settings, const std::vector<PathTraced>& views,
            const Light& light) {
@@ -152,8 +177,8 @@ void judge(Result& result, const Settings& settings, const std::vector<PathTrace
 
 /// The ways of using one bake: all of it, its first order alone, and its higher orders with order 1 by nodes.
 template <typename T, typename Shape>
-void add(std::vector<Result>& results, const std::string& name, const Shape& shape, const Settings& settings,
-         const std::vector<PathTraced>& views) {
+void add(std::vector<Result>& results, const std::string& name, const std::string& gpu_name,
+         const Shape& shape, const Settings& settings, const std::vector<PathTraced>& views) {
     using Scene = Nodes<16>;
     using Hook = airlight::TableHook<T, Shape>;
     const std::string scalar = scalar_name<T>;
@@ -196,12 +221,14 @@ void add(std::vector<Result>& results, const std::string& name, const Shape& sha
     result.method = name;
     result.orders = settings.orders;
     result.numbers = 3 * 3 * texels;
+    result.cycles = gpu_cycles({{{"method", "scattering_of_table"}, {"flags", "table=" + gpu_name}}});
     judge<T>(result, settings, views,
              [&](const PathTraced& view) { return from_table(view, rayleigh, mie, multiple); });
     results.push_back(result);
 
     result.method = name + ", order 1 by 8 nodes";
     result.numbers = 3 * texels;
+    result.cycles = 0;
     judge<T>(result, settings, views, [&](const PathTraced& view) {
         return from_table(view, nothing, nothing, multiple) + scattered_once<T>(shape.atmosphere, view);
     });
@@ -217,35 +244,38 @@ void add_without_table(std::vector<Result>& results, const Settings& settings,
     result.scalar = scalar_name<T>;
     result.size = "none";
     result.orders = 1;
+    result.cycles = gpu_cycles({{{"method", "single_scattering"}, {"setting", "8"}, {"flags", "default"}}});
     judge<T>(result, settings, views, [&](const PathTraced& view) { return scattered_once<T>(earth, view); });
-    results.push_back(result);
-}
-
-/// A table of light from all sides, of some kind, on top of single_scattering.
-template <typename T, typename Bake>
-void add_light_from_all_sides(std::vector<Result>& results, const std::string& name, const std::string& size,
-                              int orders, std::size_t numbers, const Bake& bake, const Settings& settings,
-                              const std::vector<PathTraced>& views) {
-    const airlight::Atmosphere<T> earth = airlight::earth<T>();
-    Result result;
-    result.method = name;
-    result.scalar = scalar_name<T>;
-    result.size = size;
-    result.orders = orders;
-    result.numbers = numbers;
-    const auto begun = Clock::now();
-    const auto light = bake(earth);
-    result.seconds = seconds_since(begun);
-    judge<T>(result, settings, views, [&](const PathTraced& view) {
-        return airlight::all_scattering<T>(earth, view.eye<T>(), view.direction<T>(), view.to_sun<T>(),
-                                           airlight::no_surface<T>(), light)
-            .radiance;
-    });
     results.push_back(result);
 }
 
 /// All orders are meant where a series stands for the last.
 constexpr int every_order = 12;
+
+/// A table of light from all sides, of some kind, on top of single_scattering.
+template <typename T, int NodeCount, typename Bake>
+void add_light_from_all_sides(std::vector<Result>& results, const std::string& name, const std::string& size,
+                              const std::string& gpu_name, std::size_t numbers, const Bake& bake,
+                              const Settings& settings, const std::vector<PathTraced>& views) {
+    const airlight::Atmosphere<T> earth = airlight::earth<T>();
+    Result result;
+    result.method = name + ", " + std::to_string(NodeCount) + " nodes";
+    result.scalar = scalar_name<T>;
+    result.size = size;
+    result.orders = every_order;
+    result.numbers = numbers;
+    result.cycles = gpu_cycles_with(gpu_name, std::to_string(NodeCount));
+    const auto begun = Clock::now();
+    const auto light = bake(earth);
+    result.seconds = seconds_since(begun);
+    judge<T>(result, settings, views, [&](const PathTraced& view) {
+        return airlight::all_scattering<T, Nodes<NodeCount>>(earth, view.eye<T>(), view.direction<T>(),
+                                                             view.to_sun<T>(), airlight::no_surface<T>(),
+                                                             light)
+            .radiance;
+    });
+    results.push_back(result);
+}
 
 template <typename T>
 void add_small_tables(std::vector<Result>& results, const Settings& settings,
@@ -253,21 +283,23 @@ void add_small_tables(std::vector<Result>& results, const Settings& settings,
     using Air = airlight::Atmosphere<T>;
     const support::Rows rows;
     airlight::Table<airlight::vec3<T>> hillaire;
-    add_light_from_all_sides<T>(
-        results, "Hillaire, order 1 by 8 nodes", "32 x 32", every_order, 3 * 32 * 32,
+    add_light_from_all_sides<T, 8>(
+        results, "Hillaire", "32 x 32", "hillaire", 3 * 32 * 32,
         [&](const Air& air) {
             hillaire = airlight::bake_hillaire<T>(air, 32, 32, {}, rows);
             return airlight::HillaireLight<T>{&air, &hillaire};
         },
         settings, views);
     const auto layers = static_cast<std::size_t>(airlight::diffuse_table_layers);
-    add_light_from_all_sides<T>(
-        results, "diffuse table, small and quick, order 1 by 8 nodes", "32 x 8 x 10", every_order,
-        4 * 32 * 8 * layers,
-        [&](const Air& air) { return airlight::bake_diffuse_table<T, Nodes<6>>(air, 32, 8, 4, rows); },
-        settings, views);
-    add_light_from_all_sides<T>(
-        results, "diffuse table, order 1 by 8 nodes", "64 x 16 x 10", every_order, 4 * 64 * 16 * layers,
+    const auto small = [&](const Air& air) {
+        return airlight::bake_diffuse_table<T, Nodes<6>>(air, 32, 8, 4, rows);
+    };
+    add_light_from_all_sides<T, 4>(results, "diffuse table, small and quick", "32 x 8 x 10", "diffuse",
+                                   4 * 32 * 8 * layers, small, settings, views);
+    add_light_from_all_sides<T, 8>(results, "diffuse table, small and quick", "32 x 8 x 10", "diffuse",
+                                   4 * 32 * 8 * layers, small, settings, views);
+    add_light_from_all_sides<T, 8>(
+        results, "diffuse table", "64 x 16 x 10", "diffuse", 4 * 64 * 16 * layers,
         [&](const Air& air) { return airlight::bake_diffuse_table<T, Nodes<8>>(air, 64, 16, 6, rows); },
         settings, views);
 }
@@ -285,8 +317,8 @@ void add_all(std::vector<Result>& results, const Settings& settings, const std::
     if (settings.lowest_sun > -90) {
         three.lowest_sun = four.lowest_sun = T(std::sin(settings.lowest_sun * airlight::pi<double> / 180));
     }
-    add<T>(results, "altitude, view, sun", three, settings, views);
-    add<T>(results, "Bruneton", four, settings, views);
+    add<T>(results, "altitude, view, sun", "inscatter3d", three, settings, views);
+    add<T>(results, "Bruneton", "bruneton", four, settings, views);
 }
 
 std::string percent(double share) {
@@ -298,11 +330,11 @@ std::string percent(double share) {
 /// The price list in Markdown: against all orders, or against the method's own.
 std::string price_list(const std::vector<Result>& results, int cores, bool same_orders) {
     std::string text = "| method | scalar | texels | kB in 16 bits | bake, s on " + std::to_string(cores) +
-                       " cores | time a ray";
+                       " cores | time a ray | GPU cycles";
     for (const airlight_test::SunClass& sun : airlight_test::sun_classes) {
         text += std::string(" | ") + sun.name + ": median, p95, max %";
     }
-    text += " |\n|---|---|---|---|---|---|---|---|---|\n";
+    text += " |\n|---|---|---|---|---|---|---|---|---|---|\n";
     for (const Result& result : results) {
         char numbers[96];
         std::snprintf(numbers, sizeof numbers, "%.0f | %.2f | %.1f",
@@ -311,7 +343,8 @@ std::string price_list(const std::vector<Result>& results, int cores, bool same_
                 (result.orders < every_order && result.orders > 1
                      ? ", " + std::to_string(result.orders) + " orders"
                      : "") +
-                " | " + result.scalar + " | " + result.size + " | " + numbers;
+                " | " + result.scalar + " | " + result.size + " | " + numbers + " | " +
+                (result.cycles > 0 ? std::to_string(std::lround(result.cycles)) : "-");
         for (const auto& error : same_orders ? result.the_same : result.all) {
             text += " | " + percent(error.median) + ", " + percent(error.p95) + ", " + percent(error.largest);
         }
@@ -322,7 +355,7 @@ std::string price_list(const std::vector<Result>& results, int cores, bool same_
 
 std::string csv(const std::vector<Result>& results) {
     std::string text =
-        "method,scalar,size,orders,numbers,bake_seconds,time_a_ray,against,sun,median,p95,max\n";
+        "method,scalar,size,orders,numbers,bake_seconds,time_a_ray,gpu_cycles,against,sun,median,p95,max\n";
     for (const Result& result : results) {
         for (const bool same : {false, true}) {
             for (int sun = 0; sun < 3; ++sun) {
@@ -333,6 +366,7 @@ std::string csv(const std::vector<Result>& results) {
                 text += "\"" + result.method + "\"," + result.scalar + "," + result.size + "," +
                         std::to_string(result.orders) + "," + std::to_string(result.numbers) + "," +
                         std::to_string(result.seconds) + "," + std::to_string(result.cost) + "," +
+                        std::to_string(std::lround(result.cycles)) + "," +
                         (same ? "the same orders" : "all orders") + "," +
                         airlight_test::sun_classes[sun].name + "," + numbers + "\n";
             }
@@ -429,7 +463,8 @@ std::string page(const std::vector<Result>& results, int cores) {
 
 Sky radiance of the library's Earth, each of three channels, against the path tracer's light of all orders in
 `reference/data/earth.csv`, where its own errors stand too: zenith, horizon, between, from 10 km, disc and limb from an
-orbit. Time is that of a view ray on one core, of that of `single_scattering` with 8 nodes; texels are counted in all the
+orbit. Time is that of a view ray on one core, of that of `single_scattering` with 8 nodes. GPU cycles are those of 64 view
+rays, by `shader_cost`, see [bench](../bench/README.md); a dash where they were not counted. Texels are counted in all the
 tables that a ray reads.
 
 )" + price_list(results, cores, false) +

@@ -83,14 +83,15 @@ const std::vector<TableMethod> table_methods = {
     {"scattering_of_table", "table=bruneton", "TABLES_BRUNETON"},
 };
 
-Job table_job(const Library& library, const TableMethod& method) {
+Job table_job(const Library& library, const TableMethod& method, const bench::Variant& variant) {
     const support::Function& function = *library.manifest.function(method.function);
     Job job{method.function,
-            bench::settings(library.manifest, function).front().setting,
+            variant.setting,
             method.table,
             {},
-            [&library, &function, tables = std::string(method.tables)](const std::vector<int>& counts) {
-                return function_shader(library, function, {}, counts, tables);
+            [&library, &function, tables = std::string(method.tables),
+             values = variant.values](const std::vector<int>& counts) {
+                return function_shader(library, function, values, counts, tables);
             },
             1,
             {},
@@ -119,7 +120,10 @@ std::vector<Job> library_jobs(const Library& library) {
         add_all(library, function, function.name, bench::settings(library.manifest, function), 1, out);
     }
     for (const TableMethod& method : table_methods) {
-        out.push_back(table_job(library, method));
+        const support::Function& function = *library.manifest.function(method.function);
+        for (const bench::Variant& setting : bench::settings(library.manifest, function)) {
+            out.push_back(table_job(library, method, setting));
+        }
     }
     return out;
 }
