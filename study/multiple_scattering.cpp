@@ -8,6 +8,7 @@
 #include <airlight/tables/diffuse.hpp>
 #include <airlight/tables/hillaire.hpp>
 #include <airlight/tables/inscatter.hpp>
+#include <airlight/tables/transmittance.hpp>
 #include <algorithm>
 #include <cctype>
 #include <chrono>
@@ -246,6 +247,29 @@ void add_without_table(std::vector<Result>& results, const Settings& settings,
     result.orders = 1;
     result.cycles = gpu_cycles({{{"method", "single_scattering"}, {"setting", "8"}, {"flags", "default"}}});
     judge<T>(result, settings, views, [&](const PathTraced& view) { return scattered_once<T>(earth, view); });
+    results.push_back(result);
+}
+
+/// Light scattered once by a march, with the sun's light from the table of slants: what a table alone gives.
+template <typename T>
+void add_march(std::vector<Result>& results, const Settings& settings, const std::vector<PathTraced>& views) {
+    const airlight::Atmosphere<T> earth = airlight::earth<T>();
+    constexpr int steps = 64;
+    Result result;
+    result.method = "march of " + std::to_string(steps) + " steps, slants";
+    result.scalar = scalar_name<T>;
+    result.size = "64 x 32";
+    result.orders = 1;
+    result.numbers = 2 * 64 * 32;
+    const auto begun = Clock::now();
+    const airlight::Table<airlight::vec2<T>> slants = airlight::bake_slants<T>(earth, 64, 32);
+    result.seconds = seconds_since(begun);
+    judge<T>(result, settings, views, [&](const PathTraced& view) {
+        return airlight::single_scattering_marched<T>(
+                   earth, view.eye<T>(), view.direction<T>(), view.to_sun<T>(), airlight::no_surface<T>(),
+                   steps, airlight::AlwaysLit{}, airlight::SlantTransmittance<T>{&slants})
+            .radiance;
+    });
     results.push_back(result);
 }
 
@@ -488,6 +512,7 @@ int run(Settings settings) {
     }
     std::vector<Result> results;
     add_without_table<float>(results, settings, views);
+    add_march<float>(results, settings, views);
     if (settings.only.empty() || settings.only == "small") {
         add_small_tables<float>(results, settings, views);
         add_small_tables<double>(results, settings, views);
