@@ -9,32 +9,46 @@ namespace airlight {
 template <typename T>
 inline constexpr T unseen_depth = T(40);
 
-/// The share of light that is left after its way from one node of a view ray to the eye; never less than
-/// exp(-unseen_depth), so that nodes of which the eye sees none still weigh as much as each other.
+/// The share of light that is left after a way; never less than exp(-unseen_depth), so that nodes of which
+/// the eye sees none still weigh as much as each other.
 ///
-/// Units:    altitude and along [L] of the node, along never negative; result [1].
-/// Shape:    the result is a spectrum.
+/// Units:    depth [1]; result [1].
+/// Shape:    depth and the result are spectra.
+/// Domain:   every depth, below 0 it counts as 0.
+/// Accuracy: that of exp.
+/// Errors:   none.
+/// Source:   Beer's law.
+template <typename T>
+vec3<T> seen_through(const vec3<T>& depth) {
+    const T unseen = unseen_depth<T>;
+    return glm::exp(-glm::clamp(depth, vec3<T>(T(0), T(0), T(0)), vec3<T>(unseen, unseen, unseen)));
+}
+
+/// The air between one node of a view ray and the eye.
+///
+/// Units:    altitude and along [L] of the node, along never negative; result [L].
 /// Domain:   that of node_transmittance.
 /// Accuracy: that of the columns.
-/// Errors:   none; ignores the ground.
-/// Source:   Beer's law.
+/// Errors:   none; ignores the ground. Ozone below 0, a rounding, counts as 0: with it no more may pass than
+///           without.
+/// Source:   column_outwards.
 template <typename T, typename Scene = DefaultScene>
-inline vec3<T> node_transmittance_to_eye(const Atmosphere<T>& atmosphere, const LitRay<T>& ray,
-                                         const Column<T>& offset, T outwards, T altitude, T along,
-                                         const Density<T>& density) {
+inline Column<T> node_column_to_eye(const Atmosphere<T>& atmosphere, const LitRay<T>& ray,
+                                    const Column<T>& offset, T outwards, T altitude, T along,
+                                    const Density<T>& density) {
     const T radius = atmosphere.ground_radius + altitude;
     const LinePoint<T> on_ray =
         line_point(altitude, radius, T(1) / radius, along, ray.air.perigee_radius, ray.air.perigee_altitude);
-    const Column<T> beyond = column_outwards<T, Scene>(ray.layers, on_ray, ray.shells, density);
-    const vec3<T> depth = column_optical_depth<T, Scene>(atmosphere, column_sum(offset, -outwards, beyond));
-    const T unseen = unseen_depth<T>;
-    return glm::exp(-glm::clamp(depth, vec3<T>(T(0), T(0), T(0)), vec3<T>(unseen, unseen, unseen)));
+    const Column<T> passed =
+        column_sum(offset, -outwards, column_outwards<T, Scene>(ray.layers, on_ray, ray.shells, density));
+    return Column<T>{passed.rayleigh, passed.mie, glm::max(passed.ozone, T(0))};
 }
 
 /// Light that had already been scattered, or reflected by the ground, and is scattered into a view ray.
 ///
 /// Scene::nodes samples on each side of the ray's closest approach to the centre, lit by the sun or not. They
-/// also add up what the ray loses, which is known: what they found too much or too little is put right.
+/// also add up what the ray loses, which is known: what they found too much or too little is put right. Ozone
+/// stays out of that, for nodes do not follow the edges of its layer.
 ///
 /// Units:    those of single_scattering; result [1/sr] per unit of solar irradiance above the air.
 /// Domain:   that of single_scattering.
@@ -54,7 +68,7 @@ vec3<T> diffuse_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<T>& 
     }
     const LitRay<T> ray = lit_ray<T, Scene>(atmosphere, air, eye, direction, to_sun);
     const RayLegs<T> legs = ray_legs<T, Scene>(atmosphere, ray);
-    vec3<T> found = vec3<T>(T(0), T(0), T(0));  // what the ray loses, by the nodes
+    vec3<T> found = vec3<T>(T(0), T(0), T(0));  // what the ray loses but to ozone, by the nodes
     vec3<T> swept = vec3<T>(T(0), T(0), T(0));  // its optical depth, likewise
     for (int leg = 0; leg < 2; ++leg) {
         const bool climbs = leg == 1;
@@ -69,7 +83,7 @@ vec3<T> diffuse_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<T>& 
                 const T mu = glm::clamp(outwards * node.along / radius, T(-1), T(1));
                 const T sun_height = ray.sun.perigee_height + outwards * node.along * ray.sun.cos_theta;
                 const T mu_s = glm::clamp(sun_height / radius, T(-1), T(1));
-                const Density<T> density = relative_density<T, Scene>(atmosphere, altitude);
+                const Density<T> density = layer_density<T, Scene>(ray.layers, altitude);
                 vec3<T> mie = vec3<T>(T(0), T(0), T(0));
                 if constexpr (Scene::mie) {
                     mie = atmosphere.mie_scattering * density.mie;
@@ -78,18 +92,21 @@ vec3<T> diffuse_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<T>& 
                     multiple_scattering(altitude, mu_s), atmosphere.rayleigh_scattering * density.rayleigh,
                     mie, mu, ray.sun.cos_theta, mu_s);
                 const T share = gauss_weight<T, Scene>(j) * node.stretch;
-                const vec3<T> seen =
-                    share * node_transmittance_to_eye<T, Scene>(atmosphere, ray, offset, outwards, altitude,
-                                                                node.along, density);
-                const vec3<T> extinction = column_optical_depth<T, Scene>(
-                    atmosphere, Column<T>{density.rayleigh, density.mie, density.ozone});
-                radiance += source * seen;
-                found += extinction * seen;
-                swept += extinction * share;
+                const Column<T> passed = node_column_to_eye<T, Scene>(atmosphere, ray, offset, outwards,
+                                                                      altitude, node.along, density);
+                radiance += share * source * seen_through(column_optical_depth<T, Scene>(atmosphere, passed));
+                const vec3<T> taken = share * column_optical_depth<T, Scene>(
+                                                  atmosphere, Column<T>{density.rayleigh, density.mie, T(0)});
+                swept += taken;
+                found += taken * seen_through(column_optical_depth<T, Scene>(
+                                     atmosphere, Column<T>{passed.rayleigh, passed.mie, T(0)}));
             }
         }
     }
-    return radiance * loss_ratios(found, swept, depth_of_legs<T, Scene>(atmosphere, legs));
+    const Column<T> whole = column_sum(leg_offset(legs, true), T(-1), legs.last.outwards);
+    const vec3<T> depth =
+        column_optical_depth<T, Scene>(atmosphere, Column<T>{whole.rayleigh, whole.mie, T(0)});
+    return radiance * loss_ratios(found, swept, glm::max(depth, vec3<T>(T(0), T(0), T(0))));
 }
 
 /// Sunlight scattered into a view ray, however often.

@@ -6,8 +6,8 @@
 
 namespace parity {
 
-static const bool node_transmittance_to_eye_row =
-    row("node_transmittance_to_eye")
+static const bool node_column_to_eye_row =
+    row("node_column_to_eye")
         .inputs([](Draw& draw) {
             const auto [atmosphere, ray, t] = point_of_ray(draw);
             const auto point = airlight::ray_point(atmosphere, ray, t);
@@ -22,9 +22,15 @@ static const bool node_transmittance_to_eye_row =
         .cpu([](auto run, const auto& atmosphere, const auto& ray, const auto& offset, auto outwards,
                 auto altitude, auto along, const auto& density) {
             using R = decltype(run);
-            return airlight::node_transmittance_to_eye<typename R::T, typename R::Scene>(
+            return airlight::node_column_to_eye<typename R::T, typename R::Scene>(
                 atmosphere, ray, offset, outwards, altitude, along, density);
         })
+        .within_bound();
+
+static const bool seen_through_row =
+    row("seen_through")
+        .inputs([](Draw& draw) { return std::make_tuple(draw.spectrum(1e-6F, 1e3F)); })
+        .cpu([](const auto& depth) { return airlight::seen_through(depth); })
         .within_bound();
 
 static const bool diffuse_scattering_row =

@@ -28,10 +28,13 @@ static auto legs(Draw& draw) {
 static const bool leg_offset_row =
     row("leg_offset")
         .inputs([](Draw& draw) {
-            return std::make_tuple(std::get<2>(legs(draw)), draw.one_of({0, 1}) == 1);
+            airlight::RayLegs<float> legs{};
+            legs.start.outwards = draw.column();
+            legs.turned.outwards = draw.column();
+            return std::make_tuple(legs, draw.one_of({0, 1}) == 1);
         })
         .cpu([](const auto& legs, bool climbs) { return airlight::leg_offset(legs, climbs); })
-        .within_bound();
+        .to_the_bit();
 
 static const bool depth_of_legs_row =
     row("depth_of_legs")
