@@ -4125,9 +4125,8 @@ vec3 airlight_depth_of_legs(airlight_Atmosphere atmosphere, airlight_RayLegs leg
 //
 // Of a ray thinner than thin_depth the nodes' depth is taken: a difference of columns has no digits for it.
 //
-// Units:    found, swept and depth [1]: what the nodes found of the loss, the optical depth by the nodes and
-// in
-//           closed form; result [1].
+// Units:    found, swept and depth [1]: what the nodes found of the loss, the optical depth by the nodes,
+//           and that in closed form; result [1].
 // Domain:   all >= 0.
 // Accuracy: that of one_minus_exp.
 // Errors:   none; where there was nothing to find and nothing found, 1.
@@ -4526,8 +4525,7 @@ airlight_Column airlight_node_column_to_eye(airlight_Atmosphere atmosphere, airl
 // Domain:   that of single_scattering.
 // Accuracy: docs/multiple_scattering.md; exact in even light, L (1 - T), where the air absorbs nothing.
 // Errors:   none; no air on the ray gives 0. Where the eye sees none of the nodes, in air thousands of
-// optical
-//           depths thick, their mean.
+//           optical depths thick, their mean.
 // Source:   the node method of single_scattering, docs/theory/nodes.md.
 vec3 airlight_diffuse_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
                                  vec3 to_sun, float distance) {
@@ -4716,7 +4714,6 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
     vec3 to_sun = airlight_sun_over_x(clamp(mu_s, -0.99955, 0.99955));
     float sun_sine = to_sun.x;
     float strength = 4.0 * airlight_pi;
-    float g = atmosphere.mie_g;
     float up = 0.0;
     float down = 0.0;
     float sunward = 0.0;
@@ -4741,6 +4738,7 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
                 irradiance.up += (strength * max(-z, 0.0)) * arriving;
                 irradiance.sunward += (strength * x / sun_sine) * arriving;
 #if AIRLIGHT_MIE
+                float g = atmosphere.mie_g;
                 float to_up = airlight_mie_phase(z, g);
                 float to_down = airlight_mie_phase(-z, g);
                 float to_sunward = airlight_mie_phase(x, g);
@@ -4760,12 +4758,14 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
             }
         }
     }
+#if AIRLIGHT_MIE
     // Few directions do not find all of a narrow lobe: what they find of it counts as the whole.
     light.aerosol_up /= max(up, airlight_smallest_share);
     light.aerosol_down /= max(down, airlight_smallest_share);
     light.aerosol_sunward /= max(sunward, airlight_smallest_share);
     light.aerosol_away /= max(away, airlight_smallest_share);
     light.aerosol_aside /= max(aside, airlight_smallest_share);
+#endif
     return airlight_GatheredLight(light, irradiance);
 }
 

@@ -91,7 +91,6 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
     vec3 to_sun = airlight_sun_over_x(clamp(mu_s, -0.99955, 0.99955));
     float sun_sine = to_sun.x;
     float strength = 4.0 * airlight_pi;
-    float g = atmosphere.mie_g;
     float up = 0.0;
     float down = 0.0;
     float sunward = 0.0;
@@ -116,6 +115,7 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
                 irradiance.up += (strength * max(-z, 0.0)) * arriving;
                 irradiance.sunward += (strength * x / sun_sine) * arriving;
 #if AIRLIGHT_MIE
+                float g = atmosphere.mie_g;
                 float to_up = airlight_mie_phase(z, g);
                 float to_down = airlight_mie_phase(-z, g);
                 float to_sunward = airlight_mie_phase(x, g);
@@ -135,12 +135,14 @@ airlight_GatheredLight airlight_gathered_light(airlight_Atmosphere atmosphere, f
             }
         }
     }
+#if AIRLIGHT_MIE
     // Few directions do not find all of a narrow lobe: what they find of it counts as the whole.
     light.aerosol_up /= max(up, airlight_smallest_share);
     light.aerosol_down /= max(down, airlight_smallest_share);
     light.aerosol_sunward /= max(sunward, airlight_smallest_share);
     light.aerosol_away /= max(away, airlight_smallest_share);
     light.aerosol_aside /= max(aside, airlight_smallest_share);
+#endif
     return airlight_GatheredLight(light, irradiance);
 }
 

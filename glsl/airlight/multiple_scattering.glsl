@@ -66,8 +66,7 @@ airlight_Column airlight_node_column_to_eye(airlight_Atmosphere atmosphere, airl
 // Domain:   that of single_scattering.
 // Accuracy: docs/multiple_scattering.md; exact in even light, L (1 - T), where the air absorbs nothing.
 // Errors:   none; no air on the ray gives 0. Where the eye sees none of the nodes, in air thousands of
-// optical
-//           depths thick, their mean.
+//           optical depths thick, their mean.
 // Source:   the node method of single_scattering, docs/theory/nodes.md.
 vec3 airlight_diffuse_scattering(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,
                                  vec3 to_sun, float distance) {

@@ -81,7 +81,6 @@ GatheredLight<T> gathered_light(const Atmosphere<T>& atmosphere, T altitude, T m
     const vec3<T> to_sun = sun_over_x(glm::clamp(mu_s, T(-0.99955L), T(0.99955L)));
     const T sun_sine = to_sun.x;
     const T strength = T(4) * pi<T>;
-    const T g = atmosphere.mie_g;
     T up = T(0);
     T down = T(0);
     T sunward = T(0);
@@ -107,6 +106,7 @@ GatheredLight<T> gathered_light(const Atmosphere<T>& atmosphere, T altitude, T m
                 irradiance.up += (strength * glm::max(-z, T(0))) * arriving;
                 irradiance.sunward += (strength * x / sun_sine) * arriving;
                 if constexpr (Scene::mie) {
+                    const T g = atmosphere.mie_g;
                     const T to_up = mie_phase<T, Scene>(z, g);
                     const T to_down = mie_phase<T, Scene>(-z, g);
                     const T to_sunward = mie_phase<T, Scene>(x, g);
@@ -126,12 +126,14 @@ GatheredLight<T> gathered_light(const Atmosphere<T>& atmosphere, T altitude, T m
             }
         }
     }
-    // Few directions do not find all of a narrow lobe: what they find of it counts as the whole.
-    light.aerosol_up /= glm::max(up, smallest_share<T>);
-    light.aerosol_down /= glm::max(down, smallest_share<T>);
-    light.aerosol_sunward /= glm::max(sunward, smallest_share<T>);
-    light.aerosol_away /= glm::max(away, smallest_share<T>);
-    light.aerosol_aside /= glm::max(aside, smallest_share<T>);
+    if constexpr (Scene::mie) {
+        // Few directions do not find all of a narrow lobe: what they find of it counts as the whole.
+        light.aerosol_up /= glm::max(up, smallest_share<T>);
+        light.aerosol_down /= glm::max(down, smallest_share<T>);
+        light.aerosol_sunward /= glm::max(sunward, smallest_share<T>);
+        light.aerosol_away /= glm::max(away, smallest_share<T>);
+        light.aerosol_aside /= glm::max(aside, smallest_share<T>);
+    }
     return GatheredLight<T>{light, irradiance};
 }
 

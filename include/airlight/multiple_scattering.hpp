@@ -54,8 +54,7 @@ inline Column<T> node_column_to_eye(const Atmosphere<T>& atmosphere, const LitRa
 /// Domain:   that of single_scattering.
 /// Accuracy: docs/multiple_scattering.md; exact in even light, L (1 - T), where the air absorbs nothing.
 /// Errors:   none; no air on the ray gives 0. Where the eye sees none of the nodes, in air thousands of
-/// optical
-///           depths thick, their mean.
+///           optical depths thick, their mean.
 /// Source:   the node method of single_scattering, docs/theory/nodes.md.
 template <typename T, typename Scene = DefaultScene, typename MultipleScattering = NoDiffuseLight>
 vec3<T> diffuse_scattering(const Atmosphere<T>& atmosphere, const Viewpoint<T>& eye, const vec3<T>& direction,

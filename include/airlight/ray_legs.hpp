@@ -74,9 +74,8 @@ vec3<T> depth_of_legs(const Atmosphere<T>& atmosphere, const RayLegs<T>& legs) {
 ///
 /// Of a ray thinner than thin_depth the nodes' depth is taken: a difference of columns has no digits for it.
 ///
-/// Units:    found, swept and depth [1]: what the nodes found of the loss, the optical depth by the nodes and
-/// in
-///           closed form; result [1].
+/// Units:    found, swept and depth [1]: what the nodes found of the loss, the optical depth by the nodes,
+///           and that in closed form; result [1].
 /// Domain:   all >= 0.
 /// Accuracy: that of one_minus_exp.
 /// Errors:   none; where there was nothing to find and nothing found, 1.
