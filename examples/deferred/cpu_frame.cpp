@@ -17,9 +17,15 @@ std::vector<float> light(const World& world, const AirTables& tables, const Fram
             const std::size_t i = std::size_t(y) * std::size_t(frame.width) + std::size_t(x);
             const float* const albedo = &surfaces.albedo[4 * i];
             const float* const normal = &surfaces.normal[4 * i];
-            const Surface surface{surfaces.depth[i], vec3(albedo[0], albedo[1], albedo[2]), albedo[3],
-                                  vec3(normal[0], normal[1], normal[2])};
-            const vec3 pixel = pixel_radiance<Scene>(world.atmosphere, frame, tables, surface, x, y);
+            const float* const shares = &surfaces.shares[4 * i];
+            const float* const lost = surfaces.lost.empty() ? nullptr : &surfaces.lost[3 * i];
+            const Surface surface{surfaces.depth[i], vec3(albedo[0], albedo[1], albedo[2]),
+                                  albedo[3],         vec3(normal[0], normal[1], normal[2]),
+                                  shares[0],         shares[1]};
+            const vec3 behind = light_behind_air<Scene>(world.atmosphere, frame, tables, surface, x, y);
+            const vec3 pixel =
+                light_through_air<Scene>(world.atmosphere, frame, tables, surface.depth, behind,
+                                         lost == nullptr ? vec3(0) : vec3(lost[0], lost[1], lost[2]), x, y);
             radiance[3 * i] = pixel.x;
             radiance[3 * i + 1] = pixel.y;
             radiance[3 * i + 2] = pixel.z;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "frame.hpp"
-#include "gpu_frame.hpp"
+#include "renderer.hpp"
 #include "tables.hpp"
 #include "world.hpp"
 

@@ -13,8 +13,8 @@
 
 #include "comparison.hpp"
 #include "cpu_frame.hpp"
-#include "gpu_frame.hpp"
 #include "options.hpp"
+#include "renderer.hpp"
 #include "support/error.hpp"
 #include "support/files.hpp"
 #include "support/gl_context.hpp"
@@ -64,6 +64,7 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
     add("normal.X", picture.surfaces.normal, 4, 0);
     add("normal.Y", picture.surfaces.normal, 4, 1);
     add("normal.Z", picture.surfaces.normal, 4, 2);
+    add("sunlit.Y", picture.surfaces.shares, 4, 0);
     add("depth.Z", picture.surfaces.depth, 1, 0);
     // Reversed depth back to a distance; division by 0 gives the infinity it stands for.
     for (float& depth : image.channels.back().pixels) {
@@ -74,6 +75,7 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
         {"depthUnits", "metres along the view axis; infinite where there is no surface"},
         {"normalUnits", "unit vectors; x east, y north, z up at the landscape's centre; 0 without a surface"},
         {"albedoUnits", "1, reflected share of the light"},
+        {"sunlitUnits", "1, share of the sun that nothing hides"},
     };
     return image;
 }
@@ -117,8 +119,8 @@ void run(const Options& options) {
     std::vector<Shot> shots;
     for (const Camera& camera : options.cameras) {
         for (const double elevation : options.sun_elevations) {
-            const Picturing picturing{options.width,   options.height, elevation,        options.sun_azimuth,
-                                      options.marched, options.steps,  options.sky_steps};
+            const Picturing picturing{options.width,   options.height, elevation,         options.sun_azimuth,
+                                      options.marched, options.steps,  options.sky_steps, options.settings};
             shots.push_back(
                 {picture_name(camera, elevation), make_view(camera, picturing, ground_radius, terrain)});
         }
@@ -127,10 +129,10 @@ void run(const Options& options) {
 
     const support::GlContext context;
     const AirTables tables = bake_tables(options.tables, options.world);
-    GpuRenderer renderer(options.world, tables, terrain, options.width, options.height);
+    Renderer renderer(options.world, tables, terrain, options.settings, options.width, options.height);
     std::cout << "OpenGL " << context.version() << " on " << context.renderer() << "; reversed depth "
-              << (renderer.has_clip_control() ? "by glClipControl"
-                                              : "emulated in the projection, without glClipControl")
+              << (has_clip_control() ? "by glClipControl"
+                                     : "emulated in the projection, without glClipControl")
               << "\n";
 
     const std::filesystem::path folder = options.output;
@@ -138,13 +140,14 @@ void run(const Options& options) {
     std::string worst_name;
     for (const Shot& shot : shots) {
         const Frame& frame = shot.view.frame;
-        const GpuPicture picture = renderer.draw(shot.view);
+        renderer.draw(shot.view, options.settings);
+        const GpuPicture picture = renderer.read();
         const std::vector<bool> disc = disc_pixels(frame, picture.surfaces);
         const float exposure =
             options.exposure ? float(*options.exposure) : automatic_exposure(picture.radiance, disc);
         support::write_exr(folder / (shot.name + ".exr"), layers(picture, frame));
         support::write_png(folder / (shot.name + ".png"),
-                           upright(renderer.display(exposure), frame.width, frame.height));
+                           upright(renderer.display(options.settings, exposure), frame.width, frame.height));
         std::printf("%s: camera at %.6g m, exposure %.4g, light and air in %.0f ms on the GPU\n",
                     shot.name.c_str(), shot.view.altitude, double(exposure), picture.milliseconds);
 

@@ -24,6 +24,14 @@ constexpr double largest_offset_km = 3000;
     throw support::Error(what + "; see --help");
 }
 
+/// An option that is on or off.
+struct Switch {
+    std::string option;
+    std::string help;
+    bool* value;
+    std::string word = {};
+};
+
 template <typename Item>
 std::string names(const std::vector<Item>& items) {
     std::string text;
@@ -81,7 +89,9 @@ std::optional<Options> parse_options(int count, char** arguments) {
     std::string size = "640x360";
     std::string preset = "earth";
     std::string exposure = "auto";
-    std::string difference = "on";
+    std::string shafts = "none";
+    std::string glint = "microfacets";
+    std::string ground = "lambert";
     std::optional<double> east;
     std::optional<double> north;
     std::optional<double> altitude;
@@ -124,6 +134,39 @@ std::optional<Options> parse_options(int count, char** arguments) {
     app.add_option("--steps", options.steps, "Even steps along a view ray when marched; 40 if not given");
     app.add_option("--sky-steps", options.sky_steps,
                    "Even steps up from a surface, for its skylight, when marched; 12 if not given");
+    app.add_option(
+           "--shafts", shafts,
+           "Light shafts: none, or march, by looks at the shadow maps along each ray; none if not given")
+        ->check(CLI::IsMember(shaft_names()));
+    app.add_option("--shaft-pieces", options.settings.shaft_pieces,
+                   "Stretches of a ray at whose ends the air's light is computed; 12 if not given");
+    app.add_option("--shaft-looks", options.settings.shaft_looks,
+                   "Looks at the shadow maps in each; 8 if not given");
+    app.add_option("--shadow-size", options.settings.shadow_size,
+                   "Texels of each shadow map each way; 2048 if not given");
+    std::vector<Switch> switches = {
+        {"--air", "The air, its light and what it takes from light", &options.settings.air},
+        {"--shadows", "The landscape's shadow", &options.settings.shadows},
+        {"--cascade-colors", "Each shadow map's ground in a colour of its own",
+         &options.settings.cascade_colors},
+        {"--half-shafts", "Light shafts at half the resolution", &options.settings.half_shafts},
+        {"--use-exposure", "1 - exp(-exposure x) in the PNG, else exposure x cut at 1",
+         &options.settings.use_exposure},
+        {"--use-gamma", "The PNG encoded as sRGB, else linear", &options.settings.use_gamma},
+        {"--difference", "Compute the light on the CPU too and compare", &options.difference},
+    };
+    options.difference = true;
+    for (Switch& s : switches) {
+        s.word = *s.value ? "on" : "off";
+        app.add_option(s.option, s.word, s.help + ": on or off; " + s.word + " if not given")
+            ->check(CLI::IsMember({"on", "off"}));
+    }
+    app.add_option("--glint", glint,
+                   "Sunlight that surfaces mirror: microfacets or phong; microfacets if not given")
+        ->check(CLI::IsMember({"microfacets", "phong"}));
+    app.add_option("--ground", ground,
+                   "How ground scatters light: lambert or lommel-seeliger; lambert if not given")
+        ->check(CLI::IsMember({"lambert", "lommel-seeliger"}));
     app.add_option("--size", size, "Picture size, WxH; 640x360 if not given");
     app.add_option("--preset", preset, "Atmosphere, one of " + names(worlds()) + "; earth if not given");
     app.add_option("--heightmap", options.height_map,
@@ -134,8 +177,6 @@ std::optional<Options> parse_options(int count, char** arguments) {
     app.add_option(
         "--exposure", exposure,
         "Factor before 1 - exp(-x), or auto, which follows each picture's mean; auto if not given");
-    app.add_option("--difference", difference,
-                   "on: compute the light on the CPU too and compare; off: do not; on if not given");
     app.add_option("--tolerance", options.tolerance,
                    "Fail when the largest relative difference is above this");
     try {
@@ -197,10 +238,16 @@ std::optional<Options> parse_options(int count, char** arguments) {
         }
         require_range("--exposure", *options.exposure, 1e-6, 1e12);
     }
-    if (difference != "on" && difference != "off") {
-        fail("--difference '" + difference + "' is neither on nor off");
+    for (const Switch& s : switches) {
+        *s.value = s.word == "on";
     }
-    options.difference = difference == "on";
+    options.settings.phong = glint == "phong";
+    options.settings.lommel_seeliger = ground == "lommel-seeliger";
+    options.settings.shafts =
+        Shafts(std::find(shaft_names().begin(), shaft_names().end(), shafts) - shaft_names().begin());
+    require_range("--shaft-pieces", options.settings.shaft_pieces, 1, 1000);
+    require_range("--shaft-looks", options.settings.shaft_looks, 1, 1000);
+    require_range("--shadow-size", options.settings.shadow_size, 16, 8192);
     if (options.tolerance) {
         require_range("--tolerance", *options.tolerance, 0, 1e6);
         if (!options.difference) {

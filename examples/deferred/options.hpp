@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "settings.hpp"
 #include "tables.hpp"
 #include "view.hpp"
 #include "world.hpp"
@@ -21,6 +22,7 @@ struct Options {
     TableKind tables;
     int steps;
     int sky_steps;
+    Settings settings;
     World world;
     std::string height_map;
     double step_east;   ///< [m]

@@ -17,6 +17,8 @@ constexpr int diffuse_height = 16;
 constexpr int diffuse_orders = 5;
 constexpr int hillaire_size = 32;
 constexpr int scattering_orders = 4;
+// The passes bind their own textures below it.
+constexpr int first_table_unit = 8;
 
 template <typename Scene>
 AirTables baked(TableKind kind, const airlight::Atmosphere<float>& air) {
@@ -88,9 +90,9 @@ GpuTables::GpuTables(const AirTables& tables)
 
 void GpuTables::bind(const support::Uniforms& program) const {
     for (std::size_t i = 0; i < textures_.size(); ++i) {
-        glActiveTexture(GLenum(GL_TEXTURE3 + i));
+        glActiveTexture(GLenum(GL_TEXTURE0 + first_table_unit + int(i)));
         glBindTexture(GL_TEXTURE_3D, textures_[i]);
-        program.set("table_" + std::to_string(i), int(3 + i));
+        program.set("table_" + std::to_string(i), first_table_unit + int(i));
     }
     program.set("scattering_size", scattering_size_);
 }

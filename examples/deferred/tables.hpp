@@ -38,7 +38,7 @@ struct AirTables {
 /// Bakes what the kind needs, on all cores and with a bar for what takes long.
 AirTables bake_tables(TableKind kind, const World& world);
 
-/// The same on the GPU, for shaders/tables.glsl: textures in the order of its samplers, from unit 3 on.
+/// The same on the GPU, for shaders/tables.glsl: textures in the order of its samplers.
 class GpuTables {
   public:
     explicit GpuTables(const AirTables& tables);

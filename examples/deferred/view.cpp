@@ -63,7 +63,10 @@ View make_view(const Camera& camera, const Picturing& picturing, double ground_r
     frame.marched = picturing.marched;
     frame.steps = picturing.steps;
     frame.sky_steps = picturing.sky_steps;
-    return View{place.position, altitude, frame};
+    frame.air = picturing.settings.air;
+    frame.phong = picturing.settings.phong;
+    frame.lommel_seeliger = picturing.settings.lommel_seeliger;
+    return View{place.position, altitude, altitude - ground, frame};
 }
 
 }  // namespace deferred

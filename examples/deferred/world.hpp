@@ -20,6 +20,11 @@ struct LorentzianScene : airlight::DefaultScene {
     static constexpr int ozone = airlight::ozone_lorentzian;
 };
 
+/// What the shaders of a world are compiled with.
+inline std::string scene_defines(const World& world) {
+    return world.lorentzian_ozone ? "#define AIRLIGHT_OZONE AIRLIGHT_OZONE_LORENTZIAN\n" : "";
+}
+
 inline const std::vector<World>& worlds() {
     static const std::vector<World> all = {
         {"earth", airlight::earth<float>(), false, true},

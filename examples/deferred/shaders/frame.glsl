@@ -1,19 +1,26 @@
-// What all pixels of a picture have in common: the same numbers as frame.hpp.
+// What all pixels of a picture have in common: the same bytes as frame.hpp.
 struct Frame {
-    int width;
-    int height;
     vec3 ray_corner;
+    int width;
     vec3 ray_across;
+    int height;
     vec3 ray_up;
     float near_distance;
     vec3 eye_position;
+    bool marched;
     vec3 to_sun;
+    int steps;
     vec3 solar_irradiance;
+    int sky_steps;
     float sun_sin_radius;
     float sun_sin_edge;
-    bool marched;
-    int steps;
-    int sky_steps;
+    bool air;
+    bool phong;
+    bool lommel_seeliger;
+};
+
+layout(std140) uniform FrameBlock {
+    Frame frame;
 };
 
 vec3 pixel_ray(Frame frame, ivec2 pixel) {

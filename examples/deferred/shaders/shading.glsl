@@ -20,6 +20,8 @@ struct Surface {
     vec3 albedo;
     float roughness;
     vec3 normal;
+    float sun_share;
+    float sky_share;
 };
 
 vec3 unit(vec3 v) {
@@ -42,6 +44,15 @@ float sun_glint(Surface surface, vec3 normal, vec3 to_eye, vec3 to_sun) {
     float n_sun = max(airlight_dot_product(normal, to_sun), 1e-3);
     float masking = 0.5 / (2.0 * n_eye * n_sun * (1.0 - a) + (n_eye + n_sun) * a);
     return distribution * masking * mirrored_share(airlight_dot_product(to_sun, half_way));
+}
+
+float phong_glint(Surface surface, vec3 normal, vec3 to_eye, vec3 to_sun) {
+    float a = surface.roughness * surface.roughness;
+    float shininess = max(2.0 / (a * a) - 2.0, 1.0);
+    float n_sun = airlight_dot_product(normal, to_sun);
+    vec3 mirrored = 2.0 * n_sun * normal - to_sun;
+    float cosine = max(airlight_dot_product(mirrored, to_eye), 1e-30);
+    return (shininess + 2.0) / (2.0 * airlight_pi) * exp(shininess * log(cosine)) * mirrored_share(n_sun);
 }
 
 airlight_Scattered air_light(airlight_Atmosphere air, Frame frame, airlight_Viewpoint eye, vec3 direction,
@@ -79,22 +90,38 @@ vec3 sky_light(Frame frame, airlight_Viewpoint here, vec3 normal, vec3 sky) {
 #endif
 }
 
+// Lommel and Seeliger: dust without a sheen, as bright at its edge as in its middle; as bright as Lambert's where
+// the sun is behind the eye.
+float lommel_seeliger(float n_sun, float n_eye) {
+    return 2.0 / (max(n_sun, 0.0) + max(n_eye, 0.0) + 1e-3);
+}
+
 vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface, vec3 position,
                       vec3 direction) {
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
     airlight_Viewpoint here = airlight_viewpoint_from_surface(atmosphere.ground_radius, position, origin_up);
     vec3 normal = unit(surface.normal);
-    vec3 sunlight =
-        airlight_sun_irradiance(atmosphere, here, normal, frame.to_sun, frame.sun_sin_radius);
-
-    vec3 sky =
-        air_light(atmosphere, frame, here, normal, airlight_no_surface(), frame.sky_steps).radiance;
-    vec3 radiance =
-        surface.albedo * (sunlight / airlight_pi + sky_light(frame, here, normal, sky));
+    float n_sun = airlight_dot_product(normal, frame.to_sun);
+    vec3 sunlight = vec3(max(n_sun, 0.0));
+    vec3 sky = vec3(0.0);
+    vec3 skylight = vec3(0.0);
+    if (frame.air) {
+        sunlight =
+            airlight_sun_irradiance(atmosphere, here, normal, frame.to_sun, frame.sun_sin_radius);
+        sky = air_light(atmosphere, frame, here, normal, airlight_no_surface(), frame.sky_steps).radiance;
+        skylight = surface.sky_share * sky_light(frame, here, normal, sky);
+    }
+    sunlight *= surface.sun_share;
+    float shade = frame.lommel_seeliger
+                      ? lommel_seeliger(n_sun, airlight_dot_product(normal, -direction))
+                      : 1.0;
+    vec3 radiance = surface.albedo * (sunlight * (shade / airlight_pi) + skylight);
     if (surface.roughness < 1.0) {
         float polish = min(1.5 * (1.0 - surface.roughness), 1.0);
-        radiance += polish * (sunlight * sun_glint(surface, normal, -direction, frame.to_sun) +
-                              sky * mirrored_share(airlight_dot_product(normal, -direction)));
+        float glint = frame.phong ? phong_glint(surface, normal, -direction, frame.to_sun)
+                                  : sun_glint(surface, normal, -direction, frame.to_sun);
+        radiance += polish * (sunlight * glint +
+                              sky * (surface.sky_share * mirrored_share(airlight_dot_product(normal, -direction))));
     }
     return radiance;
 }
@@ -106,23 +133,36 @@ vec3 sun_disc(Frame frame, vec3 direction) {
     return airlight_sun_radiance(sun, direction, frame.to_sun);
 }
 
-vec3 pixel_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surface, ivec2 pixel) {
+// How far the surface of a depth is along the pixel's ray.
+float surface_distance(Frame frame, float depth, float ray_length) {
+    return depth > 0.0 ? frame.near_distance / depth * ray_length : airlight_no_surface();
+}
+
+vec3 light_behind_air(airlight_Atmosphere atmosphere, Frame frame, Surface surface, ivec2 pixel) {
     vec3 ray = pixel_ray(frame, pixel);
     float ray_length = sqrt(airlight_dot_product(ray, ray));
     vec3 direction = ray / ray_length;
+    if (surface.depth > 0.0) {
+        vec3 position =
+            frame.eye_position + direction * surface_distance(frame, surface.depth, ray_length);
+        return surface_radiance(atmosphere, frame, surface, position, direction);
+    }
+    return sun_disc(frame, direction);
+}
+
+vec3 light_through_air(airlight_Atmosphere atmosphere, Frame frame, float depth, vec3 behind, vec3 lost,
+                       ivec2 pixel) {
+    vec3 ray = pixel_ray(frame, pixel);
+    float ray_length = sqrt(airlight_dot_product(ray, ray));
+    vec3 direction = ray / ray_length;
+    if (!frame.air) {
+        return behind * frame.solar_irradiance;
+    }
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
     airlight_Viewpoint eye =
         airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
-
-    float distance = airlight_no_surface();
-    vec3 behind = vec3(0.0);
-    if (surface.depth > 0.0) {
-        distance = frame.near_distance / surface.depth * ray_length;
-        vec3 position = frame.eye_position + direction * distance;
-        behind = surface_radiance(atmosphere, frame, surface, position, direction);
-    } else {
-        behind = sun_disc(frame, direction);
-    }
-    airlight_Scattered scattered = air_light(atmosphere, frame, eye, direction, distance, frame.steps);
+    airlight_Scattered scattered = air_light(atmosphere, frame, eye, direction,
+                                             surface_distance(frame, depth, ray_length), frame.steps);
+    scattered.radiance = max(scattered.radiance - lost, 0.0);
     return airlight_compose(behind * frame.solar_irradiance, scattered, frame.solar_irradiance);
 }

@@ -5,8 +5,6 @@ layout(location = 0) in vec3 vertex_position;  // [m] from the camera
 layout(location = 1) in vec3 vertex_normal;
 layout(location = 2) in float vertex_height;  // [m] above the ground sphere
 
-uniform Frame frame;
-
 out vec3 position;
 out vec3 normal;
 out float height;

@@ -1,0 +1,38 @@
+#include "shafts.hpp"
+
+namespace deferred {
+
+ShaftPass::ShaftPass(const World& world, int width, int height, bool half)
+    : width_(width),
+      height_(height),
+      march_width_(half ? (width + 1) / 2 : width),
+      march_height_(half ? (height + 1) / 2 : height) {
+    march_program_ = read_screen_program("shafts_march.frag", scene_defines(world));
+    gather_program_ = read_screen_program("shafts_gather.frag");
+    marched_ = support::create_texture(GL_RGBA32F, march_width_, march_height_);
+    lost_ = support::create_texture(GL_RGBA32F, width, height);
+    marched_target_ = make_target({marched_});
+    lost_target_ = make_target({lost_});
+}
+
+void ShaftPass::draw(const SurfacePass& surfaces, const ShadowPass& shadows, const Settings& settings) {
+    const int scale = march_width_ < width_ ? 2 : 1;
+    const support::Uniforms march(march_program_);
+    march.set("depth_texture", 0);
+    march.set("scale", scale);
+    march.set("pieces", settings.shaft_pieces);
+    march.set("looks", settings.shaft_looks);
+    bind_texture(0, surfaces.depth());
+    shadows.bind(march, 1);
+    draw_screen(marched_target_, march_width_, march_height_);
+
+    const support::Uniforms gather(gather_program_);
+    gather.set("depth_texture", 0);
+    gather.set("marched_texture", 1);
+    gather.set("scale", scale);
+    bind_texture(0, surfaces.depth());
+    bind_texture(1, marched_);
+    draw_screen(lost_target_, width_, height_);
+}
+
+}  // namespace deferred

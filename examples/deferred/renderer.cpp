@@ -1,0 +1,75 @@
+#include "renderer.hpp"
+
+#include <chrono>
+
+#include "support/gl_context.hpp"
+
+namespace deferred {
+
+Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& terrain,
+                   const Settings& settings, int width, int height)
+    : width_(width),
+      height_(height),
+      atmosphere_block_(Block::atmosphere),
+      frame_block_(Block::frame),
+      tables_(tables),
+      geometry_(world, terrain),
+      shadows_(terrain, settings.shadow_size),
+      surfaces_(world, width, height),
+      visibility_(width, height),
+      lighting_(world, tables_, width, height),
+      shafts_(world, width, height, settings.half_shafts),
+      air_(world, tables_, width, height),
+      tone_(width, height) {
+    atmosphere_block_.upload(AtmosphereBlock(world.atmosphere));
+    if (has_clip_control()) {
+        glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    }
+    support::check_gl("making the render targets");
+}
+
+void Renderer::draw(const View& view, const Settings& settings) {
+    frame_block_.upload(view.frame);
+    geometry_.place(view);
+    shadows_.draw(view, geometry_, settings.shadows);
+    surfaces_.draw(geometry_);
+    visibility_.draw(surfaces_, shadows_);
+    glFinish();
+
+    const auto start = std::chrono::steady_clock::now();
+    lighting_.draw(surfaces_, visibility_);
+    any_lost_ = settings.shafts != Shafts::none && settings.shadows && settings.air;
+    if (any_lost_) {
+        shafts_.draw(surfaces_, shadows_, settings);
+    }
+    air_.draw(surfaces_, lighting_, any_lost_ ? shafts_.lost() : 0);
+    glFinish();
+    milliseconds_ =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    support::check_gl("drawing a picture");
+}
+
+GpuPicture Renderer::read() const {
+    const std::size_t count = std::size_t(width_) * std::size_t(height_);
+    GpuPicture picture;
+    picture.surfaces.depth = read_texture(surfaces_.depth(), GL_DEPTH_COMPONENT, count);
+    picture.surfaces.albedo = read_texture(surfaces_.albedo(), GL_RGBA, 4 * count);
+    picture.surfaces.normal = read_texture(surfaces_.normal(), GL_RGBA, 4 * count);
+    picture.surfaces.shares = read_texture(visibility_.shares(), GL_RGBA, 4 * count);
+    if (any_lost_) {
+        picture.surfaces.lost = read_texture(shafts_.lost(), GL_RGB, 3 * count);
+    }
+    picture.radiance = read_texture(air_.radiance(), GL_RGB, 3 * count);
+    picture.milliseconds = milliseconds_;
+    support::check_gl("reading a picture");
+    return picture;
+}
+
+std::vector<std::uint8_t> Renderer::display(const Settings& settings, float exposure) {
+    tone_.draw(air_.radiance(), visibility_, settings, exposure);
+    std::vector<std::uint8_t> bytes = tone_.read();
+    support::check_gl("encoding a picture");
+    return bytes;
+}
+
+}  // namespace deferred

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "passes/air.hpp"
+#include "passes/geometry.hpp"
+#include "passes/lighting.hpp"
+#include "passes/shadows.hpp"
+#include "passes/shafts.hpp"
+#include "passes/surfaces.hpp"
+#include "passes/tone.hpp"
+#include "passes/visibility.hpp"
+#include "settings.hpp"
+#include "tables.hpp"
+#include "terrain.hpp"
+#include "view.hpp"
+#include "world.hpp"
+
+namespace deferred {
+
+/// What the passes before the light leave for each pixel. The lower row first, as OpenGL has it.
+struct GBuffer {
+    std::vector<float> depth;   ///< reversed: near_distance / distance along the view axis
+    std::vector<float> albedo;  ///< 4 per pixel: red, green, blue, roughness
+    std::vector<float> normal;  ///< 4 per pixel: x, y, z, unused
+    std::vector<float> shares;  ///< 4 per pixel: of the sun, of the sky, the cascade's number, unused
+    std::vector<float> lost;    ///< 3 per pixel: light that shadows keep from the air; empty without shafts
+};
+
+/// A picture as the GPU made it, the lower row first.
+struct GpuPicture {
+    GBuffer surfaces;
+    std::vector<float> radiance;  ///< 3 per pixel, in units of solar_irradiance per sr
+    double milliseconds;          ///< light and air took
+};
+
+/// Draws a world and its landscape: a list of passes, each with a file of its own in passes/. Needs an OpenGL
+/// 4.3 context that is current.
+class Renderer {
+  public:
+    Renderer(const World& world, const AirTables& tables, const Terrain& terrain, const Settings& settings,
+             int width, int height);
+
+    /// All passes but the last.
+    void draw(const View& view, const Settings& settings);
+
+    /// What draw() left, with its G-buffer.
+    GpuPicture read() const;
+
+    /// The last pass: what draw() left as bytes of a display, 3 per pixel, the lower row first.
+    std::vector<std::uint8_t> display(const Settings& settings, float exposure);
+
+  private:
+    int width_;
+    int height_;
+    BlockBuffer<AtmosphereBlock> atmosphere_block_;
+    BlockBuffer<Frame> frame_block_;
+    GpuTables tables_;
+    Geometry geometry_;
+    ShadowPass shadows_;
+    SurfacePass surfaces_;
+    VisibilityPass visibility_;
+    LightingPass lighting_;
+    ShaftPass shafts_;
+    AirPass air_;
+    TonePass tone_;
+    double milliseconds_ = 0;
+    bool any_lost_ = false;
+};
+
+}  // namespace deferred

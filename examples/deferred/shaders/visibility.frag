@@ -1,0 +1,20 @@
+// How much of the sun and of the sky each surface sees, and which cascade told.
+#include "frame.glsl"
+#include "shadows.glsl"
+
+uniform sampler2D depth_texture;
+uniform sampler2D normal_texture;
+
+layout(location = 0) out vec4 shares;  // of the sun, of the sky, the cascade's number, unused
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float depth = texelFetch(depth_texture, pixel, 0).x;
+    shares = vec4(1.0, 1.0, 4.0, 0.0);
+    if (shadows_on && depth > 0.0) {
+        vec3 position = pixel_ray(frame, pixel) * (frame.near_distance / depth);
+        vec3 normal = normalize(texelFetch(normal_texture, pixel, 0).xyz);
+        shares.x = sun_reaches_surface(position, normal, frame.to_sun);
+        shares.z = float(cascade_at(position, 0.01));
+    }
+}
