@@ -12,7 +12,7 @@
 namespace deferred {
 
 /// Which binding point has which block.
-enum class Block { atmosphere, frame, shadows };
+enum class Block { atmosphere, frame, shadows, epipolar };
 
 /// airlight_Atmosphere as std140 has it: a vec3 on 16 bytes, the scalars after it where there is room.
 struct AtmosphereBlock {

@@ -136,12 +136,16 @@ std::optional<Options> parse_options(int count, char** arguments) {
                    "Even steps up from a surface, for its skylight, when marched; 12 if not given");
     app.add_option(
            "--shafts", shafts,
-           "Light shafts: none, or march, by looks at the shadow maps along each ray; none if not given")
+           "Light shafts: none; march, by looks at the shadow maps along each ray; epipolar, by rays in slices "
+                   "through the sun; reference, in 800 even steps; none if not given")
         ->check(CLI::IsMember(shaft_names()));
     app.add_option("--shaft-pieces", options.settings.shaft_pieces,
                    "Stretches of a ray at whose ends the air's light is computed; 12 if not given");
     app.add_option("--shaft-looks", options.settings.shaft_looks,
                    "Looks at the shadow maps in each; 8 if not given");
+    app.add_option("--shaft-slices", options.settings.shaft_slices,
+                   "Half planes through eye and sun, when epipolar; 512 if not given");
+    app.add_option("--shaft-samples", options.settings.shaft_samples, "Rays in each; 512 if not given");
     app.add_option("--shadow-size", options.settings.shadow_size,
                    "Texels of each shadow map each way; 2048 if not given");
     std::vector<Switch> switches = {
@@ -247,6 +251,8 @@ std::optional<Options> parse_options(int count, char** arguments) {
         Shafts(std::find(shaft_names().begin(), shaft_names().end(), shafts) - shaft_names().begin());
     require_range("--shaft-pieces", options.settings.shaft_pieces, 1, 1000);
     require_range("--shaft-looks", options.settings.shaft_looks, 1, 1000);
+    require_range("--shaft-slices", options.settings.shaft_slices, 2, 8192);
+    require_range("--shaft-samples", options.settings.shaft_samples, 2, 8192);
     require_range("--shadow-size", options.settings.shadow_size, 16, 8192);
     if (options.tolerance) {
         require_range("--tolerance", *options.tolerance, 0, 1e6);

@@ -19,6 +19,7 @@ Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& t
       visibility_(width, height),
       lighting_(world, tables_, width, height),
       shafts_(world, width, height, settings.half_shafts),
+      epipolar_(world, settings, width, height),
       air_(world, tables_, width, height),
       tone_(width, height) {
     atmosphere_block_.upload(AtmosphereBlock(world.atmosphere));
@@ -38,11 +39,22 @@ void Renderer::draw(const View& view, const Settings& settings) {
 
     const auto start = std::chrono::steady_clock::now();
     lighting_.draw(surfaces_, visibility_);
-    any_lost_ = settings.shafts != Shafts::none && settings.shadows && settings.air;
-    if (any_lost_) {
-        shafts_.draw(surfaces_, shadows_, settings);
+    glFinish();
+    const auto shafts_start = std::chrono::steady_clock::now();
+    lost_ = 0;
+    if (settings.shadows && settings.air) {
+        if (settings.shafts == Shafts::epipolar) {
+            epipolar_.draw(view, surfaces_, shadows_, settings);
+            lost_ = epipolar_.lost();
+        } else if (settings.shafts != Shafts::none) {
+            shafts_.draw(surfaces_, shadows_, settings);
+            lost_ = shafts_.lost();
+        }
     }
-    air_.draw(surfaces_, lighting_, any_lost_ ? shafts_.lost() : 0);
+    glFinish();
+    shaft_milliseconds_ =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - shafts_start).count();
+    air_.draw(surfaces_, lighting_, lost_);
     glFinish();
     milliseconds_ =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -56,11 +68,12 @@ GpuPicture Renderer::read() const {
     picture.surfaces.albedo = read_texture(surfaces_.albedo(), GL_RGBA, 4 * count);
     picture.surfaces.normal = read_texture(surfaces_.normal(), GL_RGBA, 4 * count);
     picture.surfaces.shares = read_texture(visibility_.shares(), GL_RGBA, 4 * count);
-    if (any_lost_) {
-        picture.surfaces.lost = read_texture(shafts_.lost(), GL_RGB, 3 * count);
+    if (lost_ != 0) {
+        picture.surfaces.lost = read_texture(lost_, GL_RGB, 3 * count);
     }
     picture.radiance = read_texture(air_.radiance(), GL_RGB, 3 * count);
     picture.milliseconds = milliseconds_;
+    picture.shaft_milliseconds = shaft_milliseconds_;
     support::check_gl("reading a picture");
     return picture;
 }

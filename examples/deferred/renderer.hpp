@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "passes/air.hpp"
+#include "passes/epipolar.hpp"
 #include "passes/geometry.hpp"
 #include "passes/lighting.hpp"
 #include "passes/shadows.hpp"
@@ -33,6 +34,7 @@ struct GpuPicture {
     GBuffer surfaces;
     std::vector<float> radiance;  ///< 3 per pixel, in units of solar_irradiance per sr
     double milliseconds;          ///< light and air took
+    double shaft_milliseconds;    ///< and of that the shafts
 };
 
 /// Draws a world and its landscape: a list of passes, each with a file of its own in passes/. Needs an OpenGL
@@ -63,10 +65,12 @@ class Renderer {
     VisibilityPass visibility_;
     LightingPass lighting_;
     ShaftPass shafts_;
+    EpipolarPass epipolar_;
     AirPass air_;
     TonePass tone_;
     double milliseconds_ = 0;
-    bool any_lost_ = false;
+    double shaft_milliseconds_ = 0;
+    GLuint lost_ = 0;  // texture of light that shadows keep from the air, 0 for none
 };
 
 }  // namespace deferred

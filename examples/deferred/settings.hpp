@@ -6,11 +6,11 @@
 namespace deferred {
 
 /// How light shafts are drawn.
-enum class Shafts { none, march };
+enum class Shafts { none, march, epipolar, reference };
 
 /// Their names on the command line, in that order.
 inline const std::vector<std::string>& shaft_names() {
-    static const std::vector<std::string> names = {"none", "march"};
+    static const std::vector<std::string> names = {"none", "march", "epipolar", "reference"};
     return names;
 }
 
@@ -24,6 +24,9 @@ struct Settings {
     Shafts shafts = Shafts::none;
     int shaft_pieces = 12;     ///< stretches of a ray between which the air's light is interpolated
     int shaft_looks = 8;       ///< looks at the shadow map in each
+    int reference_steps = 800;  ///< even steps of a ray, when a reference is asked for
+    int shaft_slices = 512;     ///< half planes through eye and sun, when epipolar
+    int shaft_samples = 512;    ///< rays in each
     bool half_shafts = false;  ///< at half the resolution, then brought up along edges of depth
     int shadow_size = 2048;    ///< texels of a cascade each way
     bool use_exposure = true;  ///< 1 - exp(-k c), else k c cut at 1

@@ -41,6 +41,7 @@ support::Program read_program(const std::string& vertex_file, const std::string&
     bind_block(program, "AtmosphereBlock", Block::atmosphere);
     bind_block(program, "FrameBlock", Block::frame);
     bind_block(program, "ShadowBlock", Block::shadows);
+    bind_block(program, "EpipolarBlock", Block::epipolar);
     return program;
 }
 
@@ -72,11 +73,15 @@ void bind_texture(int unit, GLuint texture, GLenum target) {
 }
 
 void draw_screen(GLuint target, int width, int height, bool depth_test) {
+    draw_screen(target, 0, 0, width, height, depth_test);
+}
+
+void draw_screen(GLuint target, int x, int y, int width, int height, bool depth_test) {
     // The core profile wants a vertex array though no vertex has an attribute.
     const support::VertexArray no_attributes = support::create_vertex_array();
     glBindVertexArray(no_attributes);
     glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glViewport(0, 0, width, height);
+    glViewport(x, y, width, height);
     if (!depth_test) {
         glDisable(GL_DEPTH_TEST);
     }

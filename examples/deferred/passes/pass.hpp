@@ -31,6 +31,9 @@ void bind_texture(int unit, GLuint texture, GLenum target = GL_TEXTURE_2D);
 /// Runs the program in use over every pixel of the target, with or without the depth test.
 void draw_screen(GLuint target, int width, int height, bool depth_test = false);
 
+/// Over a part of the target.
+void draw_screen(GLuint target, int x, int y, int width, int height, bool depth_test = false);
+
 /// Whether the driver has depth from 0 to 1 before rasterisation (ARB_clip_control, OpenGL 4.5). Without it
 /// projections map to [-1, 1], and reversed depth keeps its digits as gl_FragDepth only.
 bool has_clip_control();

@@ -83,6 +83,12 @@ ShadowPass::ShadowPass(const Terrain& terrain, int size)
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    glGenTextures(1, &name);
+    heights_ = support::Texture(name);
+    glTextureView(heights_, GL_TEXTURE_2D_ARRAY, maps_, GL_DEPTH_COMPONENT32F, 0, 1, 0, cascade_count);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, heights_);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     for (int i = 0; i < cascade_count; ++i) {
         targets_[std::size_t(i)] = support::create_framebuffer();
         glBindFramebuffer(GL_FRAMEBUFFER, targets_[std::size_t(i)]);
@@ -94,7 +100,8 @@ ShadowPass::ShadowPass(const Terrain& terrain, int size)
 void ShadowPass::draw(const View& view, const Geometry& geometry, bool on) {
     ShadowBlock bytes{};
     bytes.cascades = cascades_of(view, landscape_radius_, size_);
-    bytes.range = float(glm::length(view.position) + landscape_radius_);
+    range_ = glm::length(view.position) + landscape_radius_;
+    bytes.range = float(range_);
     bytes.on = on;
     block_.upload(bytes);
     if (!on) {
@@ -120,6 +127,11 @@ void ShadowPass::draw(const View& view, const Geometry& geometry, bool on) {
 void ShadowPass::bind(const support::Uniforms& program, int unit) const {
     bind_texture(unit, maps_, GL_TEXTURE_2D_ARRAY);
     program.set("shadow_maps", unit);
+}
+
+void ShadowPass::bind_heights(const support::Uniforms& program, int unit) const {
+    bind_texture(unit, heights_, GL_TEXTURE_2D_ARRAY);
+    program.set("shadow_heights", unit);
 }
 
 }  // namespace deferred

@@ -44,10 +44,20 @@ class ShadowPass {
     /// For shaders that include shadows.glsl: the maps as `shadow_maps`, at this texture unit.
     void bind(const support::Uniforms& program, int unit) const;
 
+    /// For shaders that include shadows_nearest.glsl: the same as plain depths, `shadow_heights`.
+    void bind_heights(const support::Uniforms& program, int unit) const;
+
+    /// How far from the camera the maps are asked [m].
+    double range() const {
+        return range_;
+    }
+
   private:
     double landscape_radius_;
+    double range_ = 0;
     int size_;
     support::Texture maps_;
+    support::Texture heights_;  // the maps without comparison
     std::array<support::Framebuffer, cascade_count> targets_;
     support::Program program_;
     BlockBuffer<ShadowBlock> block_;

@@ -8,6 +8,7 @@ ShaftPass::ShaftPass(const World& world, int width, int height, bool half)
       march_width_(half ? (width + 1) / 2 : width),
       march_height_(half ? (height + 1) / 2 : height) {
     march_program_ = read_screen_program("shafts_march.frag", scene_defines(world));
+    reference_program_ = read_screen_program("shafts_reference.frag", scene_defines(world));
     gather_program_ = read_screen_program("shafts_gather.frag");
     marched_ = support::create_texture(GL_RGBA32F, march_width_, march_height_);
     lost_ = support::create_texture(GL_RGBA32F, width, height);
@@ -16,6 +17,15 @@ ShaftPass::ShaftPass(const World& world, int width, int height, bool half)
 }
 
 void ShaftPass::draw(const SurfacePass& surfaces, const ShadowPass& shadows, const Settings& settings) {
+    if (settings.shafts == Shafts::reference) {
+        const support::Uniforms reference(reference_program_);
+        reference.set("depth_texture", 0);
+        reference.set("steps", settings.reference_steps);
+        bind_texture(0, surfaces.depth());
+        shadows.bind(reference, 1);
+        draw_screen(lost_target_, width_, height_);
+        return;
+    }
     const int scale = march_width_ < width_ ? 2 : 1;
     const support::Uniforms march(march_program_);
     march.set("depth_texture", 0);

@@ -10,6 +10,7 @@ namespace deferred {
 
 /// Light shafts: the light that shadows keep from the air in front of each pixel, by looks at the shadow maps
 /// along its ray. At half the resolution it is brought up along edges of depth.
+/// As a reference the same in hundreds of even steps, for each pixel by itself.
 class ShaftPass {
   public:
     ShaftPass(const World& world, int width, int height, bool half);
@@ -30,6 +31,7 @@ class ShaftPass {
     support::Framebuffer marched_target_;
     support::Framebuffer lost_target_;
     support::Program march_program_;
+    support::Program reference_program_;
     support::Program gather_program_;
 };
 
