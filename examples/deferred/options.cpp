@@ -19,6 +19,7 @@ namespace {
 constexpr int largest_size = 8192;
 // North is not defined further from the landscape than a quarter of the planet.
 constexpr double largest_offset_km = 3000;
+constexpr int most_frames = 10000;  // four digits
 
 [[noreturn]] void fail(const std::string& what) {
     throw support::Error(what + "; see --help");
@@ -107,6 +108,10 @@ std::optional<Options> parse_options(int count, char** arguments) {
     options.sky_steps = 12;
     options.height_map = DEFERRED_HEIGHT_MAP;
     options.output = ".";
+    options.frames = 100;
+    options.latitude = 36.3;
+    bool headless = false;
+    std::string sequence;
 
     app.add_option("--camera", camera_names,
                    "One or several of " + names(named_cameras()) + "; ground if none is given");
@@ -173,6 +178,16 @@ std::optional<Options> parse_options(int count, char** arguments) {
                    "Grey PNG (16 bits, a metre a level) or OpenEXR file (metres), north up");
     app.add_option("--heightmap-step", steps_of_map, "Its grid step east and north [m]; 74 93 if not given")
         ->expected(2);
+    app.add_flag("--headless", headless, "Without a window, as always")->disable_flag_override();
+    app.add_option("--sequence", sequence,
+                   "Instead of single pictures a sequence of PNGs: flight (from 1 m to 1e8 m), day (24 hours "
+                   "at an equinox) or turntable (once around)")
+        ->check(CLI::IsMember(sequence_names()));
+    app.add_option("--frames", options.frames, "Pictures of the sequence; 100 if not given");
+    app.add_option("--latitude", options.latitude,
+                   "Where the day passes, north of the equator [degrees]; 36.3 if not given");
+    app.add_option("--shaders", options.shaders,
+                   "Folder of this example's shaders, to try changed copies; the sources' own if not given");
     app.add_option("--output", options.output, "Folder of the pictures, made if missing; here if not given");
     app.add_option(
         "--exposure", exposure,
@@ -248,6 +263,31 @@ std::optional<Options> parse_options(int count, char** arguments) {
     require_range("--shaft-pieces", options.settings.shaft_pieces, 1, 1000);
     require_range("--shaft-looks", options.settings.shaft_looks, 1, 1000);
     require_range("--shadow-size", options.settings.shadow_size, 16, 8192);
+    if (!sequence.empty()) {
+        options.sequence = SequenceKind(
+            std::find(sequence_names().begin(), sequence_names().end(), sequence) - sequence_names().begin());
+        require_range("--frames", options.frames, 1, most_frames);
+        require_range("--latitude", options.latitude, -90, 90);
+        if (options.cameras.size() > 1 || sun_elevations.size() > 1) {
+            fail("--sequence is of one camera and one sun; give one --camera and one --sun-elevation");
+        }
+    }
+    // What a sequence decides itself is not silently ignored.
+    const auto refuse = [&](bool when, const std::string& why, const std::vector<std::string>& given) {
+        for (const std::string& option : given) {
+            if (when && app.count(option) > 0) {
+                fail(option + " has no effect: " + why);
+            }
+        }
+    };
+    refuse(!options.sequence, "it is for a --sequence", {"--frames"});
+    refuse(options.sequence != SequenceKind::day, "it is for --sequence day", {"--latitude"});
+    refuse(options.sequence == SequenceKind::day, "--sequence day moves the sun",
+           {"--sun-elevation", "--sun-azimuth"});
+    refuse(options.sequence == SequenceKind::flight, "--sequence flight moves the camera",
+           {"--altitude", "--height", "--pitch", "--fov"});
+    refuse(options.sequence.has_value(), "a --sequence is not computed on the CPU",
+           {"--difference", "--tolerance"});
     if (options.tolerance) {
         require_range("--tolerance", *options.tolerance, 0, 1e6);
         if (!options.difference) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "path.hpp"
 #include "settings.hpp"
 #include "tables.hpp"
 #include "view.hpp"
@@ -28,6 +29,10 @@ struct Options {
     double step_east;   ///< [m]
     double step_north;  ///< [m]
     std::string output;
+    std::string shaders;                   ///< folder of the example's own; empty for the one of the sources
+    std::optional<SequenceKind> sequence;  ///< instead of single pictures
+    int frames;
+    double latitude;  ///< [degrees] of the place where a day passes
     std::optional<double> exposure;
     bool difference;
     std::optional<double> tolerance;  ///< of the largest relative difference

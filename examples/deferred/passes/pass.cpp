@@ -1,7 +1,5 @@
 #include "pass.hpp"
 
-#include <filesystem>
-
 #include "blocks.hpp"
 #include "support/error.hpp"
 #include "support/glsl_source.hpp"
@@ -17,8 +15,13 @@
 namespace deferred {
 namespace {
 
+std::filesystem::path& shader_folder() {
+    static std::filesystem::path folder = DEFERRED_SHADER_FOLDER;
+    return folder;
+}
+
 support::ShaderSource read_shader(GLenum stage, const std::string& file, const std::string& defines) {
-    const std::vector<std::filesystem::path> folders = {DEFERRED_SHADER_FOLDER, AIRLIGHT_GLSL_FOLDER};
+    const std::vector<std::filesystem::path> folders = {shader_folder(), AIRLIGHT_GLSL_FOLDER};
     const std::string text = "#version 430 core\n" + defines + "#include \"" + file + "\"\n";
     const support::ExpandedGlsl source = support::expand_includes(text, "preamble of " + file, folders);
     return support::ShaderSource{stage, source.text, source.names};
@@ -32,6 +35,10 @@ void bind_block(GLuint program, const char* name, Block block) {
 }
 
 }  // namespace
+
+void set_shader_folder(const std::filesystem::path& folder) {
+    shader_folder() = folder;
+}
 
 support::Program read_program(const std::string& vertex_file, const std::string& fragment_file,
                               const std::string& defines) {

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@
 // of the passes before it and leaves its own.
 
 namespace deferred {
+
+/// Where this example's shaders are read from instead of its sources.
+void set_shader_folder(const std::filesystem::path& folder);
 
 /// A program of two of this example's shaders, with the library's GLSL behind their includes and its blocks
 /// at their binding points. `defines` are lines before the first include. Throws support::Error, with file
