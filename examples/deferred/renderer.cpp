@@ -29,6 +29,7 @@ Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& t
 }
 
 void Renderer::draw(const View& view, const Settings& settings) {
+    atmosphere_block_.bind();  // another renderer may have drawn with the same context
     frame_block_.upload(view.frame);
     geometry_.place(view);
     shadows_.draw(view, geometry_, settings.shadows);
