@@ -77,12 +77,12 @@ TEST_CASE("a renderer of any size draws, and one of the first size draws the sam
     const LinearPicture before = picture_of(32, 18);
     CHECK(sound(before));
     for (const bool half_shafts : {false, true}) {
-        for (const auto& [width, height] :
-             {std::pair{1, 1}, std::pair{1, 8192}, std::pair{8192, 1}, std::pair{3, 2}}) {
-            CAPTURE(width);
-            CAPTURE(height);
+        for (const glm::ivec2& size :
+             {glm::ivec2(1, 1), glm::ivec2(1, 8192), glm::ivec2(8192, 1), glm::ivec2(3, 2)}) {
+            CAPTURE(size.x);
+            CAPTURE(size.y);
             CAPTURE(half_shafts);
-            CHECK(sound(picture_of(width, height, half_shafts)));
+            CHECK(sound(picture_of(size.x, size.y, half_shafts)));
         }
     }
     const LinearPicture after = picture_of(32, 18);
