@@ -99,6 +99,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     std::optional<double> heading;
     std::optional<double> pitch;
     std::optional<double> fov;
+    double haze = 1;
     std::string method = "nodes";
     std::string tables = "diffuse";
     Options options{};
@@ -147,6 +148,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     std::vector<Switch> switches = {
         {"--air", "The air, its light and what it takes from light", &options.settings.air},
         {"--shadows", "The landscape's shadow", &options.settings.shadows},
+        {"--objects", "Slabs and an arch in the valley, a station in orbit", &options.settings.objects},
         {"--cascade-colors", "Each shadow map's ground in a colour of its own",
          &options.settings.cascade_colors},
         {"--half-shafts", "Light shafts at half the resolution", &options.settings.half_shafts},
@@ -169,6 +171,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
         ->check(CLI::IsMember({"lambert", "lommel-seeliger"}));
     app.add_option("--size", size, "Picture size, WxH; 640x360 if not given");
     app.add_option("--preset", preset, "Atmosphere, one of " + names(worlds()) + "; earth if not given");
+    app.add_option("--haze", haze, "Factor of the aerosol's coefficients; 1 if not given");
     app.add_option("--heightmap", options.height_map,
                    "Grey PNG (16 bits, a metre a level) or OpenEXR file (metres), north up");
     app.add_option("--heightmap-step", steps_of_map, "Its grid step east and north [m]; 74 93 if not given")
@@ -190,6 +193,9 @@ std::optional<Options> parse_options(int count, char** arguments) {
 
     parse_size(size, options.width, options.height);
     options.world = by_name(worlds(), preset, "preset");
+    require_range("--haze", haze, 0, 100);
+    options.world.atmosphere.mie_scattering *= float(haze);
+    options.world.atmosphere.mie_absorption *= float(haze);
     if (camera_names.empty()) {
         camera_names = {"ground"};
     }

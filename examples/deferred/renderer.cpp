@@ -13,7 +13,7 @@ Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& t
       atmosphere_block_(Block::atmosphere),
       frame_block_(Block::frame),
       tables_(tables),
-      geometry_(world, terrain),
+      geometry_(world, terrain, settings.objects),
       shadows_(terrain, settings.shadow_size),
       surfaces_(world, width, height),
       visibility_(width, height),

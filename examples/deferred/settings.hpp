@@ -18,6 +18,7 @@ inline const std::vector<std::string>& shaft_names() {
 struct Settings {
     bool air = true;
     bool shadows = true;
+    bool objects = false;          ///< slabs and an arch in the valley, a station and a ball in orbit
     bool cascade_colors = false;   ///< each cascade's ground in a colour of its own
     bool phong = false;            ///< the glint of surfaces after Phong, else of microfacets
     bool lommel_seeliger = false;  ///< ground after Lommel and Seeliger, else after Lambert

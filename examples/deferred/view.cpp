@@ -18,11 +18,11 @@ constexpr double near_distance = 0.1;  // [m] a person's nose is further away
 const std::vector<Camera>& named_cameras() {
     // Ground: a walker's eyes on a summit. Valley: a drone over the valley of the fault. 10km: an airliner
     // east of the ridges. Orbit: a space station, the landscape below and the limb ahead.
+    // Shafts: over the same valley, with the slabs before a low sun.
     static const std::vector<Camera> cameras = {
-        {"ground", -3034, -10928, 2, true, 265, 1, 35},
-        {"valley", 1492, 1071, 40, true, 250, 6, 40},
-        {"10km", 14e3, 9e3, 10e3, false, 240, -14, 50},
-        {"orbit", 560e3, 230e3, 400e3, false, 250, -22, 50},
+        {"ground", -3034, -10928, 2, true, 265, 1, 35}, {"valley", 1492, 1071, 40, true, 250, 6, 40},
+        {"10km", 14e3, 9e3, 10e3, false, 240, -14, 50}, {"orbit", 560e3, 230e3, 400e3, false, 250, -22, 50},
+        {"shafts", 1492, 1071, 30, true, 250, 7, 30},
     };
     return cameras;
 }

@@ -113,6 +113,7 @@ void ShadowPass::draw(const View& view, const Geometry& geometry, bool on) {
         glClear(GL_DEPTH_BUFFER_BIT);
         program.set("cascade", i);
         geometry.draw_terrain();
+        geometry.draw_objects();
     }
     glDisable(GL_DEPTH_CLAMP);
 }

@@ -36,6 +36,7 @@ class SurfacePass {
     support::Texture normal_;
     support::Framebuffer target_;
     support::Program terrain_program_;
+    support::Program object_program_;
     support::Program planet_program_;
 };
 
