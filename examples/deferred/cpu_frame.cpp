@@ -48,7 +48,9 @@ std::vector<bool> disc_pixels(const Frame& frame, const GBuffer& surfaces) {
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
             const bool surface = surfaces.depth[disc.size()] > 0;
-            disc.push_back(!surface && sun_disc(frame, unit(pixel_ray(frame, x, y))) != vec3(0));
+            const vec3 direction = unit(pixel_ray(frame, x, y));
+            disc.push_back(!surface &&
+                           (sun_disc(frame, direction) != vec3(0) || moon_share(frame, direction) > 0));
         }
     }
     return disc;

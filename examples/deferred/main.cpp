@@ -74,7 +74,7 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
         {"radianceUnits", "1/sr: radiance per solar irradiance above the air; linear, not exposed"},
         {"depthUnits", "metres along the view axis; infinite where there is no surface"},
         {"normalUnits", "unit vectors; x east, y north, z up at the landscape's centre; 0 without a surface"},
-        {"albedoUnits", "1, reflected share of the light"},
+        {"albedoUnits", "1, reflected share of the light; without a surface stars, of magnitude 0 each"},
         {"sunlitUnits", "1, share of the sun that nothing hides"},
     };
     return image;

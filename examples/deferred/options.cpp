@@ -122,6 +122,10 @@ std::optional<Options> parse_options(int count, char** arguments) {
                    "Sun above the horizontal under the camera [degrees], one or several; 20 if not given");
     app.add_option("--sun-azimuth", options.sun_azimuth,
                    "Sun clockwise from north [degrees]; 250 if not given");
+    app.add_option("--moon-elevation", options.settings.moon_elevation,
+                   "Moon above the horizontal under the camera [degrees]; 35 if not given");
+    app.add_option("--moon-azimuth", options.settings.moon_azimuth,
+                   "Moon clockwise from north [degrees]; 120 if not given");
     app.add_option(
            "--method", method,
            "Light of the air: nodes, a few samples where the light is, or marched, by even steps; nodes "
@@ -149,6 +153,8 @@ std::optional<Options> parse_options(int count, char** arguments) {
         {"--air", "The air, its light and what it takes from light", &options.settings.air},
         {"--shadows", "The landscape's shadow", &options.settings.shadows},
         {"--objects", "Slabs and an arch in the valley, a station in orbit", &options.settings.objects},
+        {"--stars", "A field of stars behind the air", &options.settings.stars},
+        {"--moon", "The moon, and what it lights", &options.settings.moon},
         {"--cascade-colors", "Each shadow map's ground in a colour of its own",
          &options.settings.cascade_colors},
         {"--half-shafts", "Light shafts at half the resolution", &options.settings.half_shafts},
@@ -226,6 +232,8 @@ std::optional<Options> parse_options(int count, char** arguments) {
     }
     options.sun_elevations = sun_elevations;
     require_range("--sun-azimuth", options.sun_azimuth, -360, 360);
+    require_range("--moon-elevation", options.settings.moon_elevation, -90, 90);
+    require_range("--moon-azimuth", options.settings.moon_azimuth, -360, 360);
     options.tables =
         TableKind(std::find(table_names().begin(), table_names().end(), tables) - table_names().begin());
     // Nodes have all air in closed form: a table of transmittance is of use to the march alone.

@@ -16,6 +16,7 @@ Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& t
       geometry_(world, terrain, settings.objects),
       shadows_(terrain, settings.shadow_size),
       surfaces_(world, width, height),
+      stars_(width, height),
       visibility_(width, height),
       lighting_(world, tables_, width, height),
       shafts_(world, width, height, settings.half_shafts),
@@ -33,6 +34,9 @@ void Renderer::draw(const View& view, const Settings& settings) {
     geometry_.place(view);
     shadows_.draw(view, geometry_, settings.shadows);
     surfaces_.draw(geometry_);
+    if (settings.stars) {
+        stars_.draw(surfaces_.target());
+    }
     visibility_.draw(surfaces_, shadows_);
     glFinish();
 

@@ -8,6 +8,7 @@
 #include "passes/lighting.hpp"
 #include "passes/shadows.hpp"
 #include "passes/shafts.hpp"
+#include "passes/stars.hpp"
 #include "passes/surfaces.hpp"
 #include "passes/tone.hpp"
 #include "passes/visibility.hpp"
@@ -22,7 +23,7 @@ namespace deferred {
 /// What the passes before the light leave for each pixel. The lower row first, as OpenGL has it.
 struct GBuffer {
     std::vector<float> depth;   ///< reversed: near_distance / distance along the view axis
-    std::vector<float> albedo;  ///< 4 per pixel: red, green, blue, roughness
+    std::vector<float> albedo;  ///< 4 per pixel: red, green, blue, roughness; stars where there is no surface
     std::vector<float> normal;  ///< 4 per pixel: x, y, z, unused
     std::vector<float> shares;  ///< 4 per pixel: of the sun, of the sky, the cascade's number, unused
     std::vector<float> lost;    ///< 3 per pixel: light that shadows keep from the air; empty without shafts
@@ -60,6 +61,7 @@ class Renderer {
     Geometry geometry_;
     ShadowPass shadows_;
     SurfacePass surfaces_;
+    StarPass stars_;
     VisibilityPass visibility_;
     LightingPass lighting_;
     ShaftPass shafts_;

@@ -26,6 +26,9 @@ class SurfacePass {
     GLuint normal() const {
         return normal_;
     }
+    GLuint target() const {
+        return target_;
+    }
 
   private:
     const World& world_;

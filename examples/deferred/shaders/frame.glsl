@@ -17,6 +17,12 @@ struct Frame {
     bool air;
     bool phong;
     bool lommel_seeliger;
+    float star_radiance;
+    float moon_sin_radius;
+    float moon_irradiance;
+    vec3 to_moon;
+    int lights;
+    float sun_seen;
 };
 
 layout(std140) uniform FrameBlock {

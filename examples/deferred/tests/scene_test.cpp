@@ -3,6 +3,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -47,4 +48,46 @@ TEST_CASE("from orbit a station lies in front of the air and a ball in front of 
     }
     CHECK(before_air > 20);
     CHECK(before_space > 5);
+}
+
+TEST_CASE("stars shine at night; by day they are there and the air outshines them") {
+    const Layers night = picture("deferred_stars", "ground_sun-25");
+    const Layers day = picture("deferred_stars", "ground_sun+20");
+    int stars = 0;
+    for (int y = 0; y < night.horizon() - 1; ++y) {
+        for (int x = 3; x < night.image.width - 3; ++x) {
+            const std::size_t i = std::size_t(y * night.image.width + x);
+            if (night.channel("albedo.G")[i] < 0.01f) {
+                continue;
+            }
+            ++stars;
+            CHECK(day.channel("albedo.G")[i] == night.channel("albedo.G")[i]);
+            const std::vector<float>& dark = night.channel("radiance.G");
+            CHECK(dark[i] > 1e-10f);
+            const std::vector<float>& bright = day.channel("radiance.G");
+            const float around = 0.5f * (bright[i - 3] + bright[i + 3]);
+            CHECK(std::abs(bright[i] - around) < 0.02f * around);  // the sky itself bends by as much
+        }
+    }
+    CHECK(stars > 20);
+}
+
+TEST_CASE("the full moon lights the ground at night, a few hundred thousand times less than the sun by day") {
+    const Layers moonlit = picture("deferred_moon", "ground_sun-25");
+    const Layers moonless = picture("deferred_stars", "ground_sun-25");
+    const Layers day = picture("deferred_moon", "ground_sun+20");
+    const int height = moonlit.image.height;
+    const float light = moonlit.mean("radiance.G", height - 8, height);
+    CHECK(light > 100 * moonless.mean("radiance.G", height - 8, height));
+    CHECK(light > 1e-7f * day.mean("radiance.G", height - 8, height));
+    CHECK(light < 1e-5f * day.mean("radiance.G", height - 8, height));
+}
+
+TEST_CASE("the moon's disc is as bright as a hundred thousand times its ground") {
+    const Layers view = picture("deferred_moon", "ground_sun-25");
+    const std::vector<float>& light = view.channel("radiance.G");
+    const float disc = *std::max_element(light.begin(), light.end());
+    // Albedo 0.12 when full, over pi, through the air.
+    CHECK(disc > 0.005f);
+    CHECK(disc < 0.12f / 3.14f);
 }
