@@ -153,6 +153,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
         {"--air", "The air, its light and what it takes from light", &options.settings.air},
         {"--shadows", "The landscape's shadow", &options.settings.shadows},
         {"--objects", "Slabs and an arch in the valley, a station in orbit", &options.settings.objects},
+        {"--clouds", "A layer of clouds 1800 m high", &options.settings.clouds},
         {"--stars", "A field of stars behind the air", &options.settings.stars},
         {"--moon", "The moon, and what it lights", &options.settings.moon},
         {"--cascade-colors", "Each shadow map's ground in a colour of its own",

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "passes/air.hpp"
+#include "passes/clouds.hpp"
 #include "passes/geometry.hpp"
 #include "passes/lighting.hpp"
 #include "passes/shadows.hpp"
@@ -27,6 +29,8 @@ struct GBuffer {
     std::vector<float> normal;  ///< 4 per pixel: x, y, z, unused
     std::vector<float> shares;  ///< 4 per pixel: of the sun, of the sky, the cascade's number, unused
     std::vector<float> lost;    ///< 3 per pixel: light that shadows keep from the air; empty without shafts
+    std::vector<float> clouds;  ///< 4 per pixel: their light, what they let through; empty without clouds
+    std::vector<float> cloud_distance;  ///< [m]
 };
 
 /// A picture as the GPU made it, the lower row first.
@@ -64,6 +68,7 @@ class Renderer {
     StarPass stars_;
     VisibilityPass visibility_;
     LightingPass lighting_;
+    std::optional<CloudPass> clouds_;
     ShaftPass shafts_;
     AirPass air_;
     TonePass tone_;

@@ -19,6 +19,7 @@ struct Settings {
     bool air = true;
     bool shadows = true;
     bool objects = false;  ///< slabs and an arch in the valley, a station and a ball in orbit
+    bool clouds = false;
     bool stars = false;
     bool moon = false;             ///< the moon's disc, and surfaces and air in its light
     double moon_elevation = 35;    ///< [degrees] above the horizontal under the camera

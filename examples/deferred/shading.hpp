@@ -264,6 +264,27 @@ vec3 light_behind_air(const airlight::Atmosphere<float>& atmosphere, const Frame
     return space_radiance(frame, surface.albedo, direction, ray_length);
 }
 
+/// The air's light from the eye to a distance, of all lights, less what shadows keep from the sun's.
+template <typename Scene>
+airlight::Scattered<float> air_in_front(const airlight::Atmosphere<float>& atmosphere, const Frame& frame,
+                                        const AirTables& tables, const vec3& direction, float distance,
+                                        const vec3& lost) {
+    const vec3 origin_up(0, 0, 1);
+    const airlight::Viewpoint<float> eye =
+        airlight::viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
+    airlight::Scattered<float> scattered{vec3(0), vec3(1)};
+    for (int i = 0; i < frame.lights; ++i) {
+        const Light light = light_of(frame, i);
+        const airlight::Scattered<float> one = air_light<Scene>(atmosphere, frame, tables, eye, direction,
+                                                                light.direction, distance, frame.steps);
+        // The shadow maps are the sun's.
+        const vec3 radiance = i == 0 ? glm::max(one.radiance - lost, vec3(0)) : one.radiance;
+        scattered.radiance += light.irradiance * radiance;
+        scattered.transmittance = one.transmittance;
+    }
+    return scattered;
+}
+
 /// What the pixel shows, in units of solar_irradiance per sr: what is behind the air, through it, and the
 /// air's own light less what shadows keep from it.
 template <typename Scene>
@@ -276,21 +297,43 @@ vec3 light_through_air(const airlight::Atmosphere<float>& atmosphere, const Fram
     if (frame.air == 0) {
         return behind * frame.solar_irradiance;
     }
-    const vec3 origin_up(0, 0, 1);
-    const airlight::Viewpoint<float> eye =
-        airlight::viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
-    airlight::Scattered<float> scattered{vec3(0), vec3(1)};
-    for (int i = 0; i < frame.lights; ++i) {
-        const Light light = light_of(frame, i);
-        const airlight::Scattered<float> one =
-            air_light<Scene>(atmosphere, frame, tables, eye, direction, light.direction,
-                             surface_distance(frame, depth, ray_length), frame.steps);
-        // The shadow maps are the sun's.
-        const vec3 radiance = i == 0 ? glm::max(one.radiance - lost, vec3(0)) : one.radiance;
-        scattered.radiance += light.irradiance * radiance;
-        scattered.transmittance = one.transmittance;
-    }
+    const airlight::Scattered<float> scattered = air_in_front<Scene>(
+        atmosphere, frame, tables, direction, surface_distance(frame, depth, ray_length), lost);
     return airlight::compose(behind * frame.solar_irradiance, scattered, frame.solar_irradiance);
+}
+
+inline constexpr float cloud_middle = 2000;  // [m] as in shaders/clouds.glsl
+
+/// What there is of clouds in front of a pixel.
+struct Cloud {
+    vec3 light;           ///< [1/sr] theirs, without the air in front of them
+    float transmittance;  ///< 1 without clouds
+    float distance;       ///< [m]
+};
+
+/// The same with clouds in the air.
+///
+///     near + T_near cloud + T_near T_cloud rest = T_cloud whole + (1 - T_cloud) near + T_near cloud
+///
+/// The right side has no seam where clouds begin, and wants only air that starts at the eye.
+template <typename Scene>
+vec3 light_through_clouds(const airlight::Atmosphere<float>& atmosphere, const Frame& frame,
+                          const AirTables& tables, float depth, const vec3& behind, const vec3& lost,
+                          const Cloud& cloud, int x, int y) {
+    const vec3 plain = light_through_air<Scene>(atmosphere, frame, tables, depth, behind, lost, x, y);
+    if (cloud.transmittance >= 1 || frame.air == 0) {
+        return cloud.transmittance * plain + cloud.light * frame.solar_irradiance;
+    }
+    // Shadows of the landscape lie below the clouds: in front of them for an eye down there only.
+    const vec3 origin_up(0, 0, 1);
+    const float altitude =
+        airlight::viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up).altitude;
+    const vec3 shadows = altitude < cloud_middle ? lost : vec3(0);
+    const airlight::Scattered<float> near_air =
+        air_in_front<Scene>(atmosphere, frame, tables, unit(pixel_ray(frame, x, y)), cloud.distance, shadows);
+    return cloud.transmittance * plain +
+           ((1 - cloud.transmittance) * near_air.radiance + near_air.transmittance * cloud.light) *
+               frame.solar_irradiance;
 }
 
 }  // namespace deferred

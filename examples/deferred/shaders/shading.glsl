@@ -200,6 +200,23 @@ vec3 light_behind_air(airlight_Atmosphere atmosphere, Frame frame, Surface surfa
     return space_radiance(frame, surface.albedo, direction, ray_length);
 }
 
+airlight_Scattered air_in_front(airlight_Atmosphere atmosphere, Frame frame, vec3 direction, float distance,
+                                vec3 lost) {
+    vec3 origin_up = vec3(0.0, 0.0, 1.0);
+    airlight_Viewpoint eye =
+        airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
+    airlight_Scattered scattered = airlight_Scattered(vec3(0.0), vec3(1.0));
+    for (int i = 0; i < frame.lights; ++i) {
+        Light light = light_of(frame, i);
+        airlight_Scattered one =
+            air_light(atmosphere, frame, eye, direction, light.direction, distance, frame.steps);
+        vec3 radiance = i == 0 ? max(one.radiance - lost, 0.0) : one.radiance;
+        scattered.radiance += light.irradiance * radiance;
+        scattered.transmittance = one.transmittance;
+    }
+    return scattered;
+}
+
 vec3 light_through_air(airlight_Atmosphere atmosphere, Frame frame, float depth, vec3 behind, vec3 lost,
                        ivec2 pixel) {
     vec3 ray = pixel_ray(frame, pixel);
@@ -208,17 +225,33 @@ vec3 light_through_air(airlight_Atmosphere atmosphere, Frame frame, float depth,
     if (!frame.air) {
         return behind * frame.solar_irradiance;
     }
-    vec3 origin_up = vec3(0.0, 0.0, 1.0);
-    airlight_Viewpoint eye =
-        airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
-    airlight_Scattered scattered = airlight_Scattered(vec3(0.0), vec3(1.0));
-    for (int i = 0; i < frame.lights; ++i) {
-        Light light = light_of(frame, i);
-        airlight_Scattered one = air_light(atmosphere, frame, eye, direction, light.direction,
-                                           surface_distance(frame, depth, ray_length), frame.steps);
-        vec3 radiance = i == 0 ? max(one.radiance - lost, 0.0) : one.radiance;
-        scattered.radiance += light.irradiance * radiance;
-        scattered.transmittance = one.transmittance;
-    }
+    airlight_Scattered scattered =
+        air_in_front(atmosphere, frame, direction, surface_distance(frame, depth, ray_length), lost);
     return airlight_compose(behind * frame.solar_irradiance, scattered, frame.solar_irradiance);
+}
+
+const float cloud_middle = 2000.0;  // [m]
+
+struct Cloud {
+    vec3 light;
+    float transmittance;
+    float distance;
+};
+
+// near + T_near cloud + T_near T_cloud rest, written without the rest.
+vec3 light_through_clouds(airlight_Atmosphere atmosphere, Frame frame, float depth, vec3 behind, vec3 lost,
+                          Cloud cloud, ivec2 pixel) {
+    vec3 plain = light_through_air(atmosphere, frame, depth, behind, lost, pixel);
+    if (cloud.transmittance >= 1.0 || !frame.air) {
+        return cloud.transmittance * plain + cloud.light * frame.solar_irradiance;
+    }
+    vec3 origin_up = vec3(0.0, 0.0, 1.0);
+    float altitude =
+        airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up).altitude;
+    vec3 shadows = altitude < cloud_middle ? lost : vec3(0.0);
+    airlight_Scattered near_air =
+        air_in_front(atmosphere, frame, unit(pixel_ray(frame, pixel)), cloud.distance, shadows);
+    return cloud.transmittance * plain +
+           ((1.0 - cloud.transmittance) * near_air.radiance + near_air.transmittance * cloud.light) *
+               frame.solar_irradiance;
 }

@@ -91,3 +91,36 @@ TEST_CASE("the moon's disc is as bright as a hundred thousand times its ground")
     CHECK(disc > 0.005f);
     CHECK(disc < 0.12f / 3.14f);
 }
+
+TEST_CASE("by day clouds are brighter than the ground below them, which they shade") {
+    const Layers view = picture("deferred_clouds", "10km_sun+20");
+    const std::vector<float>& light = view.channel("radiance.G");
+    double cloud = 0;
+    double ground = 0;
+    int cloud_pixels = 0;
+    int ground_pixels = 0;
+    float darkest = 1;
+    for (std::size_t i = std::size_t((view.horizon() + 4) * view.image.width); i < light.size(); ++i) {
+        if (view.channel("clouds.Y")[i] < 0.1f) {
+            cloud += double(light[i]);
+            ++cloud_pixels;
+        } else if (view.channel("clouds.Y")[i] > 0.95f) {
+            ground += double(light[i]);
+            ++ground_pixels;
+        }
+        darkest = std::min(darkest, view.channel("sunlit.Y")[i]);
+    }
+    REQUIRE(cloud_pixels > 100);
+    REQUIRE(ground_pixels > 100);
+    CHECK(cloud / cloud_pixels > 1.5 * ground / ground_pixels);
+    CHECK(darkest < 0.7f);
+}
+
+TEST_CASE("within a cloud nothing else is seen") {
+    const Layers view = picture("deferred_inside_clouds", "10km_sun+10");
+    float most = 0;
+    for (const float through : view.channel("clouds.Y")) {
+        most = std::max(most, through);
+    }
+    CHECK(most < 0.5f);
+}
