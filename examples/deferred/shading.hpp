@@ -58,7 +58,7 @@ inline float phong_glint(const Surface& surface, const vec3& normal, const vec3&
     const vec3 mirrored = 2 * n_sun * normal - to_sun;
     const float cosine = glm::max(airlight::dot_product(mirrored, to_eye), 1e-30f);
     return (shininess + 2) / (2 * airlight::pi<float>)*glm::exp(shininess * glm::log(cosine)) *
-           mirrored_share(n_sun);
+           mirrored_share(airlight::dot_product(to_sun, unit(to_eye + to_sun)));
 }
 
 /// The light of single scattering and what a table of light from all sides adds.

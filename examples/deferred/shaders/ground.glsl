@@ -32,5 +32,6 @@ Ground ground_at(vec3 position, vec3 up, float height, float flatness, float foo
 
     // Shore: the transition is as wide as a pixel at least, so it never flickers.
     float dry = smoothstep(-0.01, 0.01, land);
-    return Ground(mix(water, albedo, dry), mix(0.33, 1.0, dry));
+    // Half rough, a shore would be a mirror as broad as it is bright; so it turns to land at once.
+    return Ground(mix(water, albedo, dry), mix(0.33, 1.0, min(4.0 * dry, 1.0)));
 }

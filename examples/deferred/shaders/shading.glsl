@@ -52,7 +52,8 @@ float phong_glint(Surface surface, vec3 normal, vec3 to_eye, vec3 to_sun) {
     float n_sun = airlight_dot_product(normal, to_sun);
     vec3 mirrored = 2.0 * n_sun * normal - to_sun;
     float cosine = max(airlight_dot_product(mirrored, to_eye), 1e-30);
-    return (shininess + 2.0) / (2.0 * airlight_pi) * exp(shininess * log(cosine)) * mirrored_share(n_sun);
+    return (shininess + 2.0) / (2.0 * airlight_pi) * exp(shininess * log(cosine)) *
+           mirrored_share(airlight_dot_product(to_sun, unit(to_eye + to_sun)));
 }
 
 struct Light {

@@ -83,7 +83,7 @@ TEST_CASE("the full moon lights the ground at night, a few hundred thousand time
     CHECK(light < 1e-5f * day.mean("radiance.G", height - 8, height));
 }
 
-TEST_CASE("the moon's disc is as bright as a hundred thousand times its ground") {
+TEST_CASE("the full moon is as bright as dust of albedo 0.12 in sunlight, less what the air takes") {
     const Layers view = picture("deferred_moon", "ground_sun-25");
     const std::vector<float>& light = view.channel("radiance.G");
     const float disc = *std::max_element(light.begin(), light.end());
