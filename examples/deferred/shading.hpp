@@ -16,7 +16,7 @@ struct Surface {
     vec3 albedo;
     float roughness;  ///< 1 mirrors nothing, 1/3 and less mirrors as water does, ever sharper
     vec3 normal;
-    float sun_share;  ///< of the sun that it sees past what stands in the way
+    float sun_share;  ///< of the shadow maps' light that it sees past what stands in the way
     float sky_share;  ///< of its sky
 };
 
@@ -194,8 +194,7 @@ vec3 surface_radiance(const airlight::Atmosphere<float>& atmosphere, const Frame
     vec3 radiance(0);
     for (int i = 0; i < frame.lights; ++i) {
         const Light light = light_of(frame, i);
-        // The shadow maps are the sun's.
-        const float seen = i == 0 ? surface.sun_share : 1.0f;
+        const float seen = i == frame.mapped_light ? surface.sun_share : 1.0f;
         radiance += light.irradiance * radiance_by_light<Scene>(atmosphere, frame, tables, surface, light,
                                                                 seen, position, direction);
     }
@@ -264,7 +263,7 @@ vec3 light_behind_air(const airlight::Atmosphere<float>& atmosphere, const Frame
     return space_radiance(frame, surface.albedo, direction, ray_length);
 }
 
-/// The air's light from the eye to a distance, of all lights, less what shadows keep from the sun's.
+/// The air's light from the eye to a distance, of all lights, less what shadows keep from one of them.
 template <typename Scene>
 airlight::Scattered<float> air_in_front(const airlight::Atmosphere<float>& atmosphere, const Frame& frame,
                                         const AirTables& tables, const vec3& direction, float distance,
@@ -277,8 +276,7 @@ airlight::Scattered<float> air_in_front(const airlight::Atmosphere<float>& atmos
         const Light light = light_of(frame, i);
         const airlight::Scattered<float> one = air_light<Scene>(atmosphere, frame, tables, eye, direction,
                                                                 light.direction, distance, frame.steps);
-        // The shadow maps are the sun's.
-        const vec3 radiance = i == 0 ? glm::max(one.radiance - lost, vec3(0)) : one.radiance;
+        const vec3 radiance = i == frame.mapped_light ? glm::max(one.radiance - lost, vec3(0)) : one.radiance;
         scattered.radiance += light.irradiance * radiance;
         scattered.transmittance = one.transmittance;
     }

@@ -105,6 +105,9 @@ View make_view(const Camera& camera, const Picturing& picturing, double ground_r
     frame.moon_irradiance =
         float(moon_albedo * moon_sin_radius * moon_sin_radius * phase_law(-glm::dot(to_sun, to_moon)));
     frame.sun_seen = picturing.settings.moon ? float(sun_beside_moon(to_sun, to_moon)) : 1.0f;
+    // The sun's shadows while any of its light reaches the ground in sight, then the moon's.
+    const double sight = std::acos(ground_radius / (ground_radius + std::max(altitude, 0.0))) / degree;
+    frame.mapped_light = picturing.settings.moon && picturing.sun_elevation < -1 - sight ? 1 : 0;
     return View{place.position, altitude, altitude - ground, frame};
 }
 

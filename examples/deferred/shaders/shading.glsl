@@ -143,7 +143,7 @@ vec3 surface_radiance(airlight_Atmosphere atmosphere, Frame frame, Surface surfa
     vec3 radiance = vec3(0.0);
     for (int i = 0; i < frame.lights; ++i) {
         Light light = light_of(frame, i);
-        float seen = i == 0 ? surface.sun_share : 1.0;
+        float seen = i == frame.mapped_light ? surface.sun_share : 1.0;
         radiance += light.irradiance *
                     radiance_by_light(atmosphere, frame, surface, light, seen, position, direction);
     }
@@ -211,7 +211,7 @@ airlight_Scattered air_in_front(airlight_Atmosphere atmosphere, Frame frame, vec
         Light light = light_of(frame, i);
         airlight_Scattered one =
             air_light(atmosphere, frame, eye, direction, light.direction, distance, frame.steps);
-        vec3 radiance = i == 0 ? max(one.radiance - lost, 0.0) : one.radiance;
+        vec3 radiance = i == frame.mapped_light ? max(one.radiance - lost, 0.0) : one.radiance;
         scattered.radiance += light.irradiance * radiance;
         scattered.transmittance = one.transmittance;
     }

@@ -19,7 +19,7 @@ void main() {
     if (shadows_on && depth > 0.0) {
         vec3 position = pixel_ray(frame, pixel) * (frame.near_distance / depth);
         vec3 normal = normalize(texelFetch(normal_texture, pixel, 0).xyz);
-        shares.x = sun_reaches_surface(position, normal, frame.to_sun);
+        shares.x = sun_reaches_surface(position, normal, to_mapped_light(frame));
         shares.z = float(cascade_at(position, 0.01));
     }
 #ifdef CLOUDS
@@ -28,11 +28,11 @@ void main() {
         vec3 place = frame.eye_position + ray;
         airlight_Viewpoint here =
             airlight_viewpoint_from_surface(atmosphere.ground_radius, place, vec3(0.0, 0.0, 1.0));
-        CloudStretches above = cloud_stretches(atmosphere.ground_radius, here, frame.to_sun, 1e6);
+        CloudStretches above = cloud_stretches(atmosphere.ground_radius, here, to_mapped_light(frame), 1e6);
         float footprint = length(ray) * length(frame.ray_up);
         float cover =
-            cloud_depth(atmosphere.ground_radius, place, frame.to_sun, above.first, 6, footprint) +
-            cloud_depth(atmosphere.ground_radius, place, frame.to_sun, above.second, 6, footprint);
+            cloud_depth(atmosphere.ground_radius, place, to_mapped_light(frame), above.first, 6, footprint) +
+            cloud_depth(atmosphere.ground_radius, place, to_mapped_light(frame), above.second, 6, footprint);
         shares.x *= cloud_light_through(cover);
     }
 #endif
