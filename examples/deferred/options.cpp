@@ -100,6 +100,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     std::optional<double> heading;
     std::optional<double> pitch;
     std::optional<double> fov;
+    double haze = 1;
     std::string method = "nodes";
     std::string tables = "diffuse";
     Options options{};
@@ -126,6 +127,10 @@ std::optional<Options> parse_options(int count, char** arguments) {
                    "Sun above the horizontal under the camera [degrees], one or several; 20 if not given");
     app.add_option("--sun-azimuth", options.sun_azimuth,
                    "Sun clockwise from north [degrees]; 250 if not given");
+    app.add_option("--moon-elevation", options.settings.moon_elevation,
+                   "Moon above the horizontal under the camera [degrees]; 35 if not given");
+    app.add_option("--moon-azimuth", options.settings.moon_azimuth,
+                   "Moon clockwise from north [degrees]; 120 if not given");
     app.add_option(
            "--method", method,
            "Light of the air: nodes, a few samples where the light is, or marched, by even steps; nodes "
@@ -152,6 +157,10 @@ std::optional<Options> parse_options(int count, char** arguments) {
     std::vector<Switch> switches = {
         {"--air", "The air, its light and what it takes from light", &options.settings.air},
         {"--shadows", "The landscape's shadow", &options.settings.shadows},
+        {"--objects", "Slabs and an arch in the valley, a station in orbit", &options.settings.objects},
+        {"--clouds", "A layer of clouds 1800 m high", &options.settings.clouds},
+        {"--stars", "A field of stars behind the air", &options.settings.stars},
+        {"--moon", "The moon, and what it lights", &options.settings.moon},
         {"--cascade-colors", "Each shadow map's ground in a colour of its own",
          &options.settings.cascade_colors},
         {"--half-shafts", "Light shafts at half the resolution", &options.settings.half_shafts},
@@ -174,6 +183,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
         ->check(CLI::IsMember({"lambert", "lommel-seeliger"}));
     app.add_option("--size", size, "Picture size, WxH; 640x360 if not given");
     app.add_option("--preset", preset, "Atmosphere, one of " + names(worlds()) + "; earth if not given");
+    app.add_option("--haze", haze, "Factor of the aerosol's coefficients; 1 if not given");
     app.add_option("--heightmap", options.height_map,
                    "Grey PNG (16 bits, a metre a level) or OpenEXR file (metres), north up");
     app.add_option("--heightmap-step", steps_of_map, "Its grid step east and north [m]; 74 93 if not given")
@@ -205,6 +215,9 @@ std::optional<Options> parse_options(int count, char** arguments) {
 
     parse_size(size, options.width, options.height);
     options.world = by_name(worlds(), preset, "preset");
+    require_range("--haze", haze, 0, 100);
+    options.world.atmosphere.mie_scattering *= float(haze);
+    options.world.atmosphere.mie_absorption *= float(haze);
     if (camera_names.empty()) {
         camera_names = {"ground"};
     }
@@ -235,6 +248,8 @@ std::optional<Options> parse_options(int count, char** arguments) {
     }
     options.sun_elevations = sun_elevations;
     require_range("--sun-azimuth", options.sun_azimuth, -360, 360);
+    require_range("--moon-elevation", options.settings.moon_elevation, -90, 90);
+    require_range("--moon-azimuth", options.settings.moon_azimuth, -360, 360);
     options.tables =
         TableKind(std::find(table_names().begin(), table_names().end(), tables) - table_names().begin());
     // Nodes have all air in closed form: a table of transmittance is of use to the march alone.

@@ -48,6 +48,9 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
     add("normal.Y", picture.surfaces.normal, 4, 1);
     add("normal.Z", picture.surfaces.normal, 4, 2);
     add("sunlit.Y", picture.surfaces.shares, 4, 0);
+    if (!picture.surfaces.clouds.empty()) {
+        add("clouds.Y", picture.surfaces.clouds, 4, 3);
+    }
     add("depth.Z", picture.surfaces.depth, 1, 0);
     // Reversed depth back to a distance; division by 0 gives the infinity it stands for.
     for (float& depth : image.channels.back().pixels) {
@@ -57,7 +60,8 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
         {"radianceUnits", "1/sr: radiance per solar irradiance above the air; linear, not exposed"},
         {"depthUnits", "metres along the view axis; infinite where there is no surface"},
         {"normalUnits", "unit vectors; x east, y north, z up at the landscape's centre; 0 without a surface"},
-        {"albedoUnits", "1, reflected share of the light"},
+        {"albedoUnits", "1, reflected share of the light; without a surface stars, of magnitude 0 each"},
+        {"cloudsUnits", "1, share of the light behind that clouds let through"},
         {"sunlitUnits", "1, share of the sun that nothing hides"},
     };
     return image;

@@ -13,15 +13,19 @@ Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& t
       atmosphere_block_(Block::atmosphere),
       frame_block_(Block::frame),
       tables_(tables),
-      geometry_(world, terrain),
+      geometry_(world, terrain, settings.objects),
       shadows_(terrain, settings.shadow_size),
       surfaces_(world, width, height),
-      visibility_(width, height),
+      stars_(width, height),
+      visibility_(width, height, settings.clouds),
       lighting_(world, tables_, width, height),
       shafts_(world, width, height, settings.half_shafts),
-      air_(world, tables_, width, height),
+      air_(world, tables_, width, height, settings.clouds),
       tone_(width, height) {
     atmosphere_block_.upload(AtmosphereBlock(world.atmosphere));
+    if (settings.clouds) {
+        clouds_.emplace(world, tables_, width, height);
+    }
     if (has_clip_control()) {
         glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     }
@@ -34,16 +38,22 @@ void Renderer::draw(const View& view, const Settings& settings) {
     geometry_.place(view);
     shadows_.draw(view, geometry_, settings.shadows);
     surfaces_.draw(geometry_);
+    if (settings.stars) {
+        stars_.draw(surfaces_.target());
+    }
     visibility_.draw(surfaces_, shadows_);
     glFinish();
 
     const auto start = std::chrono::steady_clock::now();
     lighting_.draw(surfaces_, visibility_);
+    if (clouds_) {
+        clouds_->draw(surfaces_);
+    }
     any_lost_ = settings.shafts != Shafts::none && settings.shadows && settings.air;
     if (any_lost_) {
         shafts_.draw(surfaces_, shadows_, settings);
     }
-    air_.draw(surfaces_, lighting_, any_lost_ ? shafts_.lost() : 0);
+    air_.draw(surfaces_, lighting_, any_lost_ ? shafts_.lost() : 0, clouds_);
     glFinish();
     milliseconds_ =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -59,6 +69,10 @@ GpuPicture Renderer::read() const {
     picture.surfaces.shares = read_texture(visibility_.shares(), GL_RGBA, 4 * count);
     if (any_lost_) {
         picture.surfaces.lost = read_texture(shafts_.lost(), GL_RGB, 3 * count);
+    }
+    if (clouds_) {
+        picture.surfaces.clouds = read_texture(clouds_->light(), GL_RGBA, 4 * count);
+        picture.surfaces.cloud_distance = read_texture(clouds_->distance(), GL_RED, count);
     }
     picture.radiance = read_texture(air_.radiance(), GL_RGB, 3 * count);
     picture.milliseconds = milliseconds_;

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "passes/air.hpp"
+#include "passes/clouds.hpp"
 #include "passes/geometry.hpp"
 #include "passes/lighting.hpp"
 #include "passes/shadows.hpp"
 #include "passes/shafts.hpp"
+#include "passes/stars.hpp"
 #include "passes/surfaces.hpp"
 #include "passes/tone.hpp"
 #include "passes/visibility.hpp"
@@ -22,10 +25,12 @@ namespace deferred {
 /// What the passes before the light leave for each pixel. The lower row first, as OpenGL has it.
 struct GBuffer {
     std::vector<float> depth;   ///< reversed: near_distance / distance along the view axis
-    std::vector<float> albedo;  ///< 4 per pixel: red, green, blue, roughness
+    std::vector<float> albedo;  ///< 4 per pixel: red, green, blue, roughness; stars where there is no surface
     std::vector<float> normal;  ///< 4 per pixel: x, y, z, unused
     std::vector<float> shares;  ///< 4 per pixel: of the sun, of the sky, the cascade's number, unused
     std::vector<float> lost;    ///< 3 per pixel: light that shadows keep from the air; empty without shafts
+    std::vector<float> clouds;  ///< 4 per pixel: their light, what they let through; empty without clouds
+    std::vector<float> cloud_distance;  ///< [m]
 };
 
 /// A picture as the GPU made it, the lower row first.
@@ -60,8 +65,10 @@ class Renderer {
     Geometry geometry_;
     ShadowPass shadows_;
     SurfacePass surfaces_;
+    StarPass stars_;
     VisibilityPass visibility_;
     LightingPass lighting_;
+    std::optional<CloudPass> clouds_;
     ShaftPass shafts_;
     AirPass air_;
     TonePass tone_;

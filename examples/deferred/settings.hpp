@@ -18,6 +18,12 @@ inline const std::vector<std::string>& shaft_names() {
 struct Settings {
     bool air = true;
     bool shadows = true;
+    bool objects = false;  ///< slabs and an arch in the valley, a station and a ball in orbit
+    bool clouds = false;
+    bool stars = false;
+    bool moon = false;             ///< the moon's disc, and surfaces and air in its light
+    double moon_elevation = 35;    ///< [degrees] above the horizontal under the camera
+    double moon_azimuth = 120;     ///< [degrees] clockwise from north
     bool cascade_colors = false;   ///< each cascade's ground in a colour of its own
     bool phong = false;            ///< the glint of surfaces after Phong, else of microfacets
     bool lommel_seeliger = false;  ///< ground after Lommel and Seeliger, else after Lambert

@@ -2,8 +2,8 @@
 
 namespace deferred {
 
-VisibilityPass::VisibilityPass(int width, int height) : width_(width), height_(height) {
-    program_ = read_screen_program("visibility.frag");
+VisibilityPass::VisibilityPass(int width, int height, bool clouds) : width_(width), height_(height) {
+    program_ = read_screen_program("visibility.frag", clouds ? "#define CLOUDS\n" : "");
     shares_ = support::create_texture(GL_RGBA16F, width, height);
     target_ = make_target({shares_});
 }

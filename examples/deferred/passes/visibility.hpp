@@ -9,7 +9,7 @@ namespace deferred {
 /// How much of the sun and of the sky each pixel's surface sees.
 class VisibilityPass {
   public:
-    VisibilityPass(int width, int height);
+    VisibilityPass(int width, int height, bool clouds);
 
     void draw(const SurfacePass& surfaces, const ShadowPass& shadows);
 

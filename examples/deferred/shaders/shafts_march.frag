@@ -33,7 +33,7 @@ void main() {
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
     airlight_Viewpoint eye =
         airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
-    lost = vec4(airlight_light_lost_in_shadow(atmosphere, eye, ray / ray_length, frame.to_sun, distance,
+    lost = vec4(airlight_light_lost_in_shadow(atmosphere, eye, ray / ray_length, to_mapped_light(frame), distance,
                                               shadow_range, pieces, looks, interleaved(texel)),
                 distance);
 }
