@@ -65,6 +65,7 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
     add("normal.Y", picture.surfaces.normal, 4, 1);
     add("normal.Z", picture.surfaces.normal, 4, 2);
     add("sunlit.Y", picture.surfaces.shares, 4, 0);
+    add("skylit.Y", picture.surfaces.shares, 4, 1);
     add("depth.Z", picture.surfaces.depth, 1, 0);
     // Reversed depth back to a distance; division by 0 gives the infinity it stands for.
     for (float& depth : image.channels.back().pixels) {
@@ -76,6 +77,7 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
         {"normalUnits", "unit vectors; x east, y north, z up at the landscape's centre; 0 without a surface"},
         {"albedoUnits", "1, reflected share of the light"},
         {"sunlitUnits", "1, share of the sun that nothing hides"},
+        {"skylitUnits", "1, share of the sky that nothing hides"},
     };
     return image;
 }

@@ -147,6 +147,8 @@ std::optional<Options> parse_options(int count, char** arguments) {
     std::vector<Switch> switches = {
         {"--air", "The air, its light and what it takes from light", &options.settings.air},
         {"--shadows", "The landscape's shadow", &options.settings.shadows},
+        {"--ambient-occlusion", "Surfaces hide some of the sky from each other",
+         &options.settings.ambient_occlusion},
         {"--cascade-colors", "Each shadow map's ground in a colour of its own",
          &options.settings.cascade_colors},
         {"--half-shafts", "Light shafts at half the resolution", &options.settings.half_shafts},

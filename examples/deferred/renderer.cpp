@@ -16,6 +16,7 @@ Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& t
       geometry_(world, terrain),
       shadows_(terrain, settings.shadow_size),
       surfaces_(world, width, height),
+      occlusion_(width, height),
       visibility_(width, height),
       lighting_(world, tables_, width, height),
       shafts_(world, width, height, settings.half_shafts),
@@ -33,7 +34,10 @@ void Renderer::draw(const View& view, const Settings& settings) {
     geometry_.place(view);
     shadows_.draw(view, geometry_, settings.shadows);
     surfaces_.draw(geometry_);
-    visibility_.draw(surfaces_, shadows_);
+    if (settings.ambient_occlusion) {
+        occlusion_.draw(surfaces_.depth(), surfaces_.normal());
+    }
+    visibility_.draw(surfaces_, shadows_, settings.ambient_occlusion ? occlusion_.share() : 0);
     glFinish();
 
     const auto start = std::chrono::steady_clock::now();

@@ -6,6 +6,7 @@
 #include "passes/air.hpp"
 #include "passes/geometry.hpp"
 #include "passes/lighting.hpp"
+#include "passes/occlusion.hpp"
 #include "passes/shadows.hpp"
 #include "passes/shafts.hpp"
 #include "passes/surfaces.hpp"
@@ -60,6 +61,7 @@ class Renderer {
     Geometry geometry_;
     ShadowPass shadows_;
     SurfacePass surfaces_;
+    OcclusionPass occlusion_;
     VisibilityPass visibility_;
     LightingPass lighting_;
     ShaftPass shafts_;

@@ -18,9 +18,10 @@ inline const std::vector<std::string>& shaft_names() {
 struct Settings {
     bool air = true;
     bool shadows = true;
-    bool cascade_colors = false;   ///< each cascade's ground in a colour of its own
-    bool phong = false;            ///< the glint of surfaces after Phong, else of microfacets
-    bool lommel_seeliger = false;  ///< ground after Lommel and Seeliger, else after Lambert
+    bool ambient_occlusion = true;  ///< surfaces hide some of the sky from each other
+    bool cascade_colors = false;    ///< each cascade's ground in a colour of its own
+    bool phong = false;             ///< the glint of surfaces after Phong, else of microfacets
+    bool lommel_seeliger = false;   ///< ground after Lommel and Seeliger, else after Lambert
     Shafts shafts = Shafts::none;
     int shaft_pieces = 12;     ///< stretches of a ray between which the air's light is interpolated
     int shaft_looks = 8;       ///< looks at the shadow map in each
