@@ -152,6 +152,8 @@ std::optional<Options> parse_options(int count, char** arguments) {
         {"--cascade-colors", "Each shadow map's ground in a colour of its own",
          &options.settings.cascade_colors},
         {"--half-shafts", "Light shafts at half the resolution", &options.settings.half_shafts},
+        {"--bloom", "A share of the light spreads in the PNG, as in an eye", &options.settings.bloom},
+        {"--flare", "Ghosts of the sun in the PNG, as in a lens", &options.settings.flare},
         {"--use-exposure", "1 - exp(-exposure x) in the PNG, else exposure x cut at 1",
          &options.settings.use_exposure},
         {"--use-gamma", "The PNG encoded as sRGB, else linear", &options.settings.use_gamma},

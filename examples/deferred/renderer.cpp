@@ -21,6 +21,8 @@ Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& t
       lighting_(world, tables_, width, height),
       shafts_(world, width, height, settings.half_shafts),
       air_(world, tables_, width, height),
+      bloom_(width, height),
+      flare_(bloom_),
       tone_(width, height) {
     atmosphere_block_.upload(AtmosphereBlock(world.atmosphere));
     if (has_clip_control()) {
@@ -70,7 +72,16 @@ GpuPicture Renderer::read() const {
 }
 
 std::vector<std::uint8_t> Renderer::display(const Settings& settings, float exposure) {
-    tone_.draw(air_.radiance(), visibility_, settings, exposure);
+    if (settings.bloom || settings.flare) {
+        bloom_.reduce(air_.radiance());
+    }
+    if (settings.bloom) {
+        bloom_.spread();
+    }
+    if (settings.flare) {
+        flare_.draw(bloom_);
+    }
+    tone_.draw(air_.radiance(), visibility_.shares(), bloom_, flare_, settings, exposure);
     std::vector<std::uint8_t> bytes = tone_.read();
     support::check_gl("encoding a picture");
     return bytes;

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "passes/air.hpp"
+#include "passes/bloom.hpp"
+#include "passes/flare.hpp"
 #include "passes/geometry.hpp"
 #include "passes/lighting.hpp"
 #include "passes/occlusion.hpp"
@@ -43,13 +45,14 @@ class Renderer {
     Renderer(const World& world, const AirTables& tables, const Terrain& terrain, const Settings& settings,
              int width, int height);
 
-    /// All passes but the last.
+    /// All passes but those of lens and display.
     void draw(const View& view, const Settings& settings);
 
     /// What draw() left, with its G-buffer.
     GpuPicture read() const;
 
-    /// The last pass: what draw() left as bytes of a display, 3 per pixel, the lower row first.
+    /// The last passes: what draw() left, with bloom and flare, as bytes of a display, 3 per pixel, the lower
+    /// row first.
     std::vector<std::uint8_t> display(const Settings& settings, float exposure);
 
   private:
@@ -66,6 +69,8 @@ class Renderer {
     LightingPass lighting_;
     ShaftPass shafts_;
     AirPass air_;
+    BloomPass bloom_;
+    FlarePass flare_;
     TonePass tone_;
     double milliseconds_ = 0;
     bool any_lost_ = false;

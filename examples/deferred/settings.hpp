@@ -27,6 +27,8 @@ struct Settings {
     int shaft_looks = 8;       ///< looks at the shadow map in each
     bool half_shafts = false;  ///< at half the resolution, then brought up along edges of depth
     int shadow_size = 2048;    ///< texels of a cascade each way
+    bool bloom = true;         ///< a share of the light spreads, as in an eye
+    bool flare = false;        ///< ghosts of the sun, as in a lens
     bool use_exposure = true;  ///< 1 - exp(-k c), else k c cut at 1
     bool use_gamma = true;     ///< encode as sRGB, else leave linear
 };
