@@ -48,6 +48,7 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
     add("normal.Y", picture.surfaces.normal, 4, 1);
     add("normal.Z", picture.surfaces.normal, 4, 2);
     add("sunlit.Y", picture.surfaces.shares, 4, 0);
+    add("skylit.Y", picture.surfaces.shares, 4, 1);
     if (!picture.surfaces.clouds.empty()) {
         add("clouds.Y", picture.surfaces.clouds, 4, 3);
     }
@@ -57,12 +58,13 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
         depth = frame.near_distance / depth;
     }
     image.attributes = {
-        {"radianceUnits", "1/sr: radiance per solar irradiance above the air; linear, not exposed"},
+        {"radianceUnits", "1/sr: radiance per solar irradiance above the air; linear, not exposed; before bloom and flare"},
         {"depthUnits", "metres along the view axis; infinite where there is no surface"},
         {"normalUnits", "unit vectors; x east, y north, z up at the landscape's centre; 0 without a surface"},
         {"albedoUnits", "1, reflected share of the light; without a surface stars, of magnitude 0 each"},
         {"cloudsUnits", "1, share of the light behind that clouds let through"},
         {"sunlitUnits", "1, share of the sun that nothing hides"},
+        {"skylitUnits", "1, share of the sky that nothing hides"},
     };
     return image;
 }

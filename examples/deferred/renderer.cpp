@@ -17,10 +17,13 @@ Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& t
       shadows_(terrain, settings.shadow_size),
       surfaces_(world, width, height),
       stars_(width, height),
+      occlusion_(width, height),
       visibility_(width, height, settings.clouds),
       lighting_(world, tables_, width, height),
       shafts_(world, width, height, settings.half_shafts),
       air_(world, tables_, width, height, settings.clouds),
+      bloom_(width, height),
+      flare_(bloom_),
       tone_(width, height) {
     atmosphere_block_.upload(AtmosphereBlock(world.atmosphere));
     if (settings.clouds) {
@@ -41,7 +44,10 @@ void Renderer::draw(const View& view, const Settings& settings) {
     if (settings.stars) {
         stars_.draw(surfaces_.target());
     }
-    visibility_.draw(surfaces_, shadows_);
+    if (settings.ambient_occlusion) {
+        occlusion_.draw(surfaces_.depth(), surfaces_.normal());
+    }
+    visibility_.draw(surfaces_, shadows_, settings.ambient_occlusion ? occlusion_.share() : 0);
     glFinish();
 
     const auto start = std::chrono::steady_clock::now();
@@ -81,7 +87,16 @@ GpuPicture Renderer::read() const {
 }
 
 std::vector<std::uint8_t> Renderer::display(const Settings& settings, float exposure) {
-    tone_.draw(air_.radiance(), visibility_, settings, exposure);
+    if (settings.bloom || settings.flare) {
+        bloom_.reduce(air_.radiance());
+    }
+    if (settings.bloom) {
+        bloom_.spread();
+    }
+    if (settings.flare) {
+        flare_.draw(bloom_);
+    }
+    tone_.draw(air_.radiance(), visibility_.shares(), bloom_, flare_, settings, exposure);
     std::vector<std::uint8_t> bytes = tone_.read();
     support::check_gl("encoding a picture");
     return bytes;

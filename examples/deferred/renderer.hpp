@@ -6,8 +6,11 @@
 
 #include "passes/air.hpp"
 #include "passes/clouds.hpp"
+#include "passes/bloom.hpp"
+#include "passes/flare.hpp"
 #include "passes/geometry.hpp"
 #include "passes/lighting.hpp"
+#include "passes/occlusion.hpp"
 #include "passes/shadows.hpp"
 #include "passes/shafts.hpp"
 #include "passes/stars.hpp"
@@ -47,13 +50,14 @@ class Renderer {
     Renderer(const World& world, const AirTables& tables, const Terrain& terrain, const Settings& settings,
              int width, int height);
 
-    /// All passes but the last.
+    /// All passes but those of lens and display.
     void draw(const View& view, const Settings& settings);
 
     /// What draw() left, with its G-buffer.
     GpuPicture read() const;
 
-    /// The last pass: what draw() left as bytes of a display, 3 per pixel, the lower row first.
+    /// The last passes: what draw() left, with bloom and flare, as bytes of a display, 3 per pixel, the lower
+    /// row first.
     std::vector<std::uint8_t> display(const Settings& settings, float exposure);
 
   private:
@@ -66,11 +70,14 @@ class Renderer {
     ShadowPass shadows_;
     SurfacePass surfaces_;
     StarPass stars_;
+    OcclusionPass occlusion_;
     VisibilityPass visibility_;
     LightingPass lighting_;
     std::optional<CloudPass> clouds_;
     ShaftPass shafts_;
     AirPass air_;
+    BloomPass bloom_;
+    FlarePass flare_;
     TonePass tone_;
     double milliseconds_ = 0;
     bool any_lost_ = false;

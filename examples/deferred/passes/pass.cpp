@@ -78,6 +78,12 @@ void bind_texture(int unit, GLuint texture, GLenum target) {
     glBindTexture(target, texture);
 }
 
+void set_linear_filter(GLuint texture) {
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
 void draw_screen(GLuint target, int width, int height, bool depth_test) {
     // The core profile wants a vertex array though no vertex has an attribute.
     const support::VertexArray no_attributes = support::create_vertex_array();

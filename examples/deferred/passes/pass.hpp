@@ -32,6 +32,9 @@ support::Framebuffer make_target(const std::vector<GLuint>& colors, GLuint depth
 
 void bind_texture(int unit, GLuint texture, GLenum target = GL_TEXTURE_2D);
 
+/// Lets shaders read a texture between its texels.
+void set_linear_filter(GLuint texture);
+
 /// Runs the program in use over every pixel of the target, with or without the depth test.
 void draw_screen(GLuint target, int width, int height, bool depth_test = false);
 

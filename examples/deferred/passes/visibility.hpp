@@ -11,7 +11,8 @@ class VisibilityPass {
   public:
     VisibilityPass(int width, int height, bool clouds);
 
-    void draw(const SurfacePass& surfaces, const ShadowPass& shadows);
+    /// `sky_share` is the texture of OcclusionPass, 0 for an open sky everywhere.
+    void draw(const SurfacePass& surfaces, const ShadowPass& shadows, GLuint sky_share);
 
     /// Share of the sun, share of the sky, number of the cascade that told (4 for none).
     GLuint shares() const {

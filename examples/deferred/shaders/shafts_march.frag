@@ -1,6 +1,7 @@
 // The light that shadows keep from the air in front of each pixel: looks at the shadow maps along its ray.
 #include "atmosphere_block.glsl"
 #include "frame.glsl"
+#include "interleaved.glsl"
 #include "shadows.glsl"
 
 #define AIRLIGHT_VISIBILITY(position) sun_reaches(position)
@@ -13,15 +14,6 @@ uniform int pieces;
 uniform int looks;
 
 layout(location = 0) out vec4 lost;  // and the distance of the surface
-
-// Every number from 1/32 to 31/32 in steps of a sixteenth once in each 4 x 4 pixels: together they look sixteen
-// times as often as each does.
-float interleaved(ivec2 pixel) {
-    ivec2 p = pixel & 3;
-    int fine = ((p.x ^ p.y) & 1) * 2 + (p.y & 1);
-    int coarse = (((p.x >> 1) ^ (p.y >> 1)) & 1) * 2 + ((p.y >> 1) & 1);
-    return (float(fine * 4 + coarse) + 0.5) / 16.0;
-}
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);

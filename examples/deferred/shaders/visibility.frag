@@ -9,6 +9,8 @@
 
 uniform sampler2D depth_texture;
 uniform sampler2D normal_texture;
+uniform sampler2D sky_share_texture;
+uniform bool any_occlusion;
 
 layout(location = 0) out vec4 shares;  // of the sun, of the sky, the cascade's number, unused
 
@@ -16,6 +18,9 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(depth_texture, pixel, 0).x;
     shares = vec4(1.0, 1.0, 4.0, 0.0);
+    if (any_occlusion) {
+        shares.y = texelFetch(sky_share_texture, pixel, 0).x;
+    }
     if (shadows_on && depth > 0.0) {
         vec3 position = pixel_ray(frame, pixel) * (frame.near_distance / depth);
         vec3 normal = normalize(texelFetch(normal_texture, pixel, 0).xyz);
