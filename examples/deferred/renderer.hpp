@@ -9,6 +9,7 @@
 #include "passes/shadows.hpp"
 #include "passes/shafts.hpp"
 #include "passes/surfaces.hpp"
+#include "passes/timer.hpp"
 #include "passes/tone.hpp"
 #include "passes/visibility.hpp"
 #include "settings.hpp"
@@ -51,7 +52,27 @@ class Renderer {
     /// The last pass: what draw() left as bytes of a display, 3 per pixel, the lower row first.
     std::vector<std::uint8_t> display(const Settings& settings, float exposure);
 
+    /// The last pass into a framebuffer of this size, 0 for the window's, stretched to fill it.
+    void show(const Settings& settings, float exposure, GLuint framebuffer, int width, int height);
+
+    /// Other tables of the same kind.
+    void use(const AirTables& tables);
+
+    int width() const {
+        return width_;
+    }
+    int height() const {
+        return height_;
+    }
+    GLuint radiance() const {
+        return air_.radiance();
+    }  ///< the texture that draw() left
+    PassTimers& timers() {
+        return timers_;
+    }
+
   private:
+    const World& world_;
     int width_;
     int height_;
     BlockBuffer<AtmosphereBlock> atmosphere_block_;
@@ -65,7 +86,7 @@ class Renderer {
     ShaftPass shafts_;
     AirPass air_;
     TonePass tone_;
-    double milliseconds_ = 0;
+    mutable PassTimers timers_;
     bool any_lost_ = false;
 };
 
