@@ -49,6 +49,7 @@ std::string last_glfw_error;
 
 void keep_glfw_error(int, const char* text) {
     last_glfw_error = text;
+    last_glfw_error.erase(last_glfw_error.find_last_not_of(" \n") + 1);
 }
 
 /// GLFW and a window with an OpenGL 4.3 core context that is current.
