@@ -1,5 +1,6 @@
 // Draws a real landscape on a planet in its air: surfaces, then light and air, then exposure and sRGB. The
-// light and the air are computed by the GPU with the generated GLSL and by the CPU with the headers.
+// light and the air are computed by the GPU with the generated GLSL and by the CPU with the headers. Three
+// fronts share one renderer: pictures, sequences of them, and a window.
 
 #include <iostream>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "passes/pass.hpp"
 #include "pictures.hpp"
 #include "sequence.hpp"
+#include "window.hpp"
 
 int main(int count, char** arguments) {
     try {
@@ -15,7 +17,9 @@ int main(int count, char** arguments) {
         if (options && !options->shaders.empty()) {
             deferred::set_shader_folder(options->shaders);
         }
-        if (options && options->sequence) {
+        if (options && options->window) {
+            deferred::run_window(*options);
+        } else if (options && options->sequence) {
             deferred::draw_sequence(*options);
         } else if (options) {
             deferred::draw_pictures(*options);

@@ -58,7 +58,8 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
         depth = frame.near_distance / depth;
     }
     image.attributes = {
-        {"radianceUnits", "1/sr: radiance per solar irradiance above the air; linear, not exposed; before bloom and flare"},
+        {"radianceUnits",
+         "1/sr: radiance per solar irradiance above the air; linear, not exposed; before bloom and flare"},
         {"depthUnits", "metres along the view axis; infinite where there is no surface"},
         {"normalUnits", "unit vectors; x east, y north, z up at the landscape's centre; 0 without a surface"},
         {"albedoUnits", "1, reflected share of the light; without a surface stars, of magnitude 0 each"},

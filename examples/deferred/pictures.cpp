@@ -74,6 +74,12 @@ void draw_pictures(const Options& options) {
                            upright(renderer.display(options.settings, exposure), frame.width, frame.height));
         std::printf("%s: camera at %.6g m, exposure %.4g, light and air in %.0f ms on the GPU\n",
                     shot.name.c_str(), shot.view.altitude, double(exposure), picture.milliseconds);
+        if (options.times) {
+            for (const PassTime& pass : renderer.timers().read(true)) {
+                std::printf("%s: %-12s %9.3f ms on the GPU\n", shot.name.c_str(), pass.name.c_str(),
+                            pass.milliseconds);
+            }
+        }
 
         if (options.difference) {
             const auto cpu_start = std::chrono::steady_clock::now();

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "passes/air.hpp"
-#include "passes/clouds.hpp"
 #include "passes/bloom.hpp"
+#include "passes/clouds.hpp"
 #include "passes/flare.hpp"
 #include "passes/geometry.hpp"
 #include "passes/lighting.hpp"
@@ -15,6 +15,7 @@
 #include "passes/shafts.hpp"
 #include "passes/stars.hpp"
 #include "passes/surfaces.hpp"
+#include "passes/timer.hpp"
 #include "passes/tone.hpp"
 #include "passes/visibility.hpp"
 #include "settings.hpp"
@@ -60,7 +61,29 @@ class Renderer {
     /// row first.
     std::vector<std::uint8_t> display(const Settings& settings, float exposure);
 
+    /// The last pass into a framebuffer of this size, 0 for the window's, stretched to fill it.
+    void show(const Settings& settings, float exposure, GLuint framebuffer, int width, int height);
+
+    /// Other tables of the same kind.
+    void use(const AirTables& tables);
+
+    int width() const {
+        return width_;
+    }
+    int height() const {
+        return height_;
+    }
+    GLuint radiance() const {
+        return air_.radiance();
+    }  ///< the texture that draw() left
+    PassTimers& timers() {
+        return timers_;
+    }
+
   private:
+    void encode(const Settings& settings, float exposure);
+
+    const World& world_;
     int width_;
     int height_;
     BlockBuffer<AtmosphereBlock> atmosphere_block_;
@@ -79,7 +102,7 @@ class Renderer {
     BloomPass bloom_;
     FlarePass flare_;
     TonePass tone_;
-    double milliseconds_ = 0;
+    mutable PassTimers timers_;
     bool any_lost_ = false;
 };
 

@@ -97,6 +97,15 @@ void draw_screen(GLuint target, int width, int height, bool depth_test) {
     glBindVertexArray(0);
 }
 
+void copy_to(GLuint target, int width, int height, GLuint source, int source_width, int source_height) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+    const bool same_size = width == source_width && height == source_height;
+    glBlitFramebuffer(0, 0, source_width, source_height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                      same_size ? GL_NEAREST : GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+}
+
 bool has_clip_control() {
     return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control");
 }
@@ -111,6 +120,15 @@ std::vector<float> read_texture(GLuint texture, GLenum format, std::size_t count
     glBindTexture(GL_TEXTURE_2D, texture);
     glGetTexImage(GL_TEXTURE_2D, 0, format, GL_FLOAT, values.data());
     return values;
+}
+
+std::vector<float> read_samples(GLuint texture, int width, int height, int columns, int rows) {
+    const support::Framebuffer source = make_target({texture});
+    const support::Texture small = support::create_texture(GL_RGBA32F, columns, rows);
+    const support::Framebuffer target = make_target({small});
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, columns, rows, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return read_texture(small, GL_RGB, 3 * std::size_t(columns) * std::size_t(rows));
 }
 
 }  // namespace deferred

@@ -38,6 +38,9 @@ void set_linear_filter(GLuint texture);
 /// Runs the program in use over every pixel of the target, with or without the depth test.
 void draw_screen(GLuint target, int width, int height, bool depth_test = false);
 
+/// Copies the bytes of one framebuffer to another, stretched to its size.
+void copy_to(GLuint target, int width, int height, GLuint source, int source_width, int source_height);
+
 /// Whether the driver has depth from 0 to 1 before rasterisation (ARB_clip_control, OpenGL 4.5). Without it
 /// projections map to [-1, 1], and reversed depth keeps its digits as gl_FragDepth only.
 bool has_clip_control();
@@ -46,5 +49,8 @@ bool has_clip_control();
 std::string clip_define();
 
 std::vector<float> read_texture(GLuint texture, GLenum format, std::size_t count);
+
+/// What a texture holds at columns x rows places spread over it evenly, 3 each, without reading all of it.
+std::vector<float> read_samples(GLuint texture, int width, int height, int columns, int rows);
 
 }  // namespace deferred
