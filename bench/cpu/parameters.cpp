@@ -14,9 +14,11 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float along", "(atmosphere.ground_radius + draw.altitude) * draw.mu"},
     {"float alpha", "draw.between(0, 1)"},
     {"float altitude", "draw.altitude"},
+    {"vec3 after", "draw.color(0, 5)"},
     {"vec3 ambient_scattering", "atmosphere.rayleigh_scattering"},
     {"float azimuth_cosine", "draw.between(-1, 1)"},
     {"vec3 b", "draw.to_sun"},
+    {"vec3 before", "draw.color(0, 5)"},
     {"float bend", "T(0.225)"},
     {"float bent", "draw.between(-1, 1)"},
     {"vec3 centre", "draw.direction"},
@@ -42,6 +44,8 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"Viewpoint eye", "airlight::Viewpoint<T>{draw.altitude, draw.up}"},
     {"float factor", "draw.choose(2) ? T(1) : T(-1)"},
     {"bool first_order", "false"},
+    {"vec3 far_depth", "draw.color(0, 5)"},
+    {"float from", "draw.between(0, 0.5)"},
     {"float g", "atmosphere.mie_g"},
     {"float gap", "draw.between(-1.1, 1.1)"},
     {"float ground_radius", "atmosphere.ground_radius"},
@@ -54,7 +58,9 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float inverse_radius", "T(1) / (atmosphere.ground_radius + draw.altitude)"},
     {"float inverse_root", "draw.between(0.001, 0.1)"},
     {"float k", "draw.between(-0.9, 0.9)"},
+    {"float light_lost_in_shadow.offset", "draw.between(0, 1)"},
     {"float limb_exponent", "draw.between(0.3, 0.7)"},
+    {"float lit", "draw.decades(2, 5)"},
     {"float low", "atmosphere.ozone_altitude - atmosphere.ozone_half_width"},
     {"float low_along", "draw.decades(2, 5)"},
     {"float low_radius", "atmosphere.ground_radius + draw.decades(0, 4)"},
@@ -65,6 +71,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float mu_normal", "draw.mu"},
     {"float mu_s", "draw.mu_s"},
     {"float new_units_per_old_unit", "draw.between(0.001, 1)"},
+    {"vec3 near_depth", "draw.color(0, 5)"},
     {"vec3 normal", "draw.up"},
     {"float nu", "draw.between(-1, 1)"},
     {"float number_density", "T(2.5e25)"},
@@ -83,6 +90,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float line_point.radius", "(atmosphere.ground_radius + draw.altitude)"},
     {"float line_towards_sun.radius", "(atmosphere.ground_radius + draw.altitude)"},
     {"float radius", "atmosphere.ground_radius"},
+    {"float range", "T(1e5)"},
     {"vec3 rayleigh", "draw.color(0, 1)"},
     {"float rayleigh_column", "draw.between(0, 1e4)"},
     {"float reference_wavelength", "T(5.5e-7)"},
@@ -100,12 +108,14 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float sine", "glm::sqrt((T(1) - draw.mu) * (T(1) + draw.mu))"},
     {"float single_scattering_albedo", "draw.between(0.8, 1)"},
     {"bool sinks", "draw.mu < T(0)"},
+    {"vec3 slope", "draw.color(0, 5)"},
     {"vec3 solar_irradiance", "draw.color(1, 2)"},
     {"float spread", "draw.between(0, 0.1)"},
     {"float square", "draw.between(0, 1.1)"},
     {"float sun_height", "atmosphere.ground_radius * draw.mu_s"},
     {"vec3 surface_radiance", "draw.color(0, 1)"},
     {"float t", "draw.decades(2, 5)"},
+    {"float to", "draw.between(0.5, 1)"},
     {"vec3 to_sun", "draw.to_sun"},
     {"float top_altitude", "atmosphere.top_altitude"},
     {"vec3 up", "draw.up"},
@@ -114,6 +124,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float wavelength", "draw.between(4e-7, 7e-7)"},
     {"float chapman.x", "draw.between(700, 6000)"},
     {"float windowed_power.x", "draw.between(-0.1, 1)"},
+    {"float source_share.x", "draw.between(0, 1)"},
     {"float x", "draw.between(0, 5)"},
 };
 
@@ -143,6 +154,9 @@ std::string Parameters::value(const std::string& function, const support::Member
             if (at != std::string::npos && at + std::strlen(size) == parameter.name.size()) {
                 return "32";
             }
+        }
+        if (parameter.name == "pieces" || parameter.name == "looks") {
+            return "8";
         }
         return parameter.name == "steps" ? "16" : "draw.below(4)";  // an index of nodes, of which there are 4
     }

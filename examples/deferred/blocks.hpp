@@ -62,8 +62,12 @@ class BlockBuffer {
   public:
     explicit BlockBuffer(Block block) : block_(block), buffer_(support::create_buffer()) {}
 
-    void upload(const Bytes& bytes) const {
+    void bind() const {
         glBindBufferBase(GL_UNIFORM_BUFFER, GLuint(block_), buffer_);
+    }
+
+    void upload(const Bytes& bytes) const {
+        bind();
         glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(sizeof(Bytes)), &bytes, GL_DYNAMIC_DRAW);
     }
 

@@ -30,11 +30,25 @@ struct Frame {
     int air;              ///< 0: as if there were none
     int phong;            ///< the glint after Phong, else of microfacets
     int lommel_seeliger;  ///< the ground after Lommel and Seeliger, else after Lambert
+    float star_radiance;  ///< [1/sr] of a star of magnitude 0 that fills the picture's middle pixel
+    float moon_sin_radius;
+    float moon_irradiance;  ///< of the moon's light above the air; the sun's is 1
+    alignas(16) vec3 to_moon;
+    int lights;        ///< 1: the sun; 2: the moon too
+    float sun_seen;    ///< share of the sun that the moon leaves
+    int mapped_light;  ///< which of the lights the shadow maps are of
 };
+
+/// Towards the light that the shadow maps are of.
+inline const vec3& to_mapped_light(const Frame& frame) {
+    return frame.mapped_light == 0 ? frame.to_sun : frame.to_moon;
+}
 
 static_assert(offsetof(Frame, ray_across) == 16 && offsetof(Frame, eye_position) == 48 &&
                   offsetof(Frame, solar_irradiance) == 80 && offsetof(Frame, sky_steps) == 92 &&
-                  offsetof(Frame, sun_sin_radius) == 96 && offsetof(Frame, lommel_seeliger) == 112,
+                  offsetof(Frame, sun_sin_radius) == 96 && offsetof(Frame, lommel_seeliger) == 112 &&
+                  offsetof(Frame, star_radiance) == 116 && offsetof(Frame, to_moon) == 128 &&
+                  offsetof(Frame, mapped_light) == 148,
               "Frame must lie as std140 has it, see shaders/frame.glsl");
 
 }  // namespace deferred

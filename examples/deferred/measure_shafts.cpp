@@ -1,5 +1,5 @@
-// What each way to draw light shafts costs and how wrong it is, against a march of many steps through the same shadow
-// maps. Writes a page in Markdown.
+// What each way to draw light shafts costs and how wrong it is, against a march of many steps through the
+// same shadow maps. Writes a page in Markdown.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -41,14 +41,15 @@ std::vector<Method> methods() {
         s.reference_steps = steps;
         all.push_back({std::to_string(steps) + " even steps", s});
     }
-    for (const auto& [pieces, looks] : {std::pair(4, 4), std::pair(8, 8), std::pair(12, 8), std::pair(16, 16)}) {
+    for (const auto& [pieces, looks] :
+         {std::pair(4, 4), std::pair(8, 8), std::pair(12, 8), std::pair(16, 16)}) {
         for (const bool half : {false, true}) {
             Settings s = shafts(Shafts::march);
             s.shaft_pieces = pieces;
             s.shaft_looks = looks;
             s.half_shafts = half;
-            all.push_back({"march, " + std::to_string(pieces) + " x " + std::to_string(looks) +
-                               " looks" + (half ? ", half resolution" : ""),
+            all.push_back({"march, " + std::to_string(pieces) + " x " + std::to_string(looks) + " looks" +
+                               (half ? ", half resolution" : ""),
                            s});
         }
     }
@@ -57,7 +58,8 @@ std::vector<Method> methods() {
         s.shaft_pieces = 8;
         s.shaft_slices = slices;
         s.shaft_samples = slices / 2;
-        all.push_back({"epipolar, " + std::to_string(slices) + " slices of " + std::to_string(slices / 2), s});
+        all.push_back(
+            {"epipolar, " + std::to_string(slices) + " slices of " + std::to_string(slices / 2), s});
     }
     return all;
 }
@@ -128,21 +130,24 @@ void measure(int width, int height, const std::string& page) {
         char line[256];
         const double middle = at_rank(errors, 0.5);
         const double most = at_rank(errors, 0.95);
-        std::snprintf(line, sizeof line, "| %s | %.3g | %.3g | %.3g | %.3g |\n", method.name.c_str(), 100 * middle,
-                      100 * most, 100 * *std::max_element(errors.begin(), errors.end()), milliseconds);
+        std::snprintf(line, sizeof line, "| %s | %.3g | %.3g | %.3g | %.3g |\n", method.name.c_str(),
+                      100 * middle, 100 * most, 100 * *std::max_element(errors.begin(), errors.end()),
+                      milliseconds);
         rows << line;
     }
     std::ostringstream text;
     text << "# Light shafts: error and cost\n\n"
          << "Light of pixels of " << width << " x " << height << " against a march of " << truth_steps
-         << " even steps through the same shadow maps, relative to the\npixel's own radiance, over " << views.size()
-         << " views of `deferred` (";
+         << " even steps through the same shadow maps, relative to the\npixel's own radiance, over "
+         << views.size() << " views of `deferred` (";
     for (std::size_t v = 0; v < suns.size(); ++v) {
         text << (v == 0 ? "" : ", ") << suns[v].camera << " " << suns[v].elevation;
     }
-    text << " degrees), single scattering, three channels. Milliseconds\nof the shafts' passes alone, the faster of "
+    text << " degrees), single scattering, three channels. Milliseconds\nof the shafts' passes alone, the "
+            "faster of "
             "two runs, mean of the views, on "
-         << context.renderer() << ",\n" << support::processor_name() << ".\n"
+         << context.renderer() << ",\n"
+         << support::processor_name() << ".\n"
          << "Written by `measure_shafts --write`.\n\n"
          << "| method | median, % | 95 % within, % | worst, % | ms |\n|---|---|---|---|---|\n"
          << rows.str();

@@ -84,9 +84,9 @@ airlight_ShaftRay airlight_shaft_ray(airlight_Atmosphere atmosphere, airlight_Ai
     bool dawns = dark.begin < dark.end && dark.end - air.along < extent;
     float lit_length = max(extent - (end - begin), 0.0);
     float thinner = legs.start.density.rayleigh / max(legs.turned.density.rayleigh, airlight_smallest_share);
-    float turn = legs.turn < begin ? legs.turn : max(legs.turn - (end - begin), begin);
-    float focus = clamp(1.0 - 4.0 * thinner, 0.0, 1.0) *
-                  (lit_length > 0.0 ? min(turn / lit_length, 1.0) : 0.0);
+    float turn = min(legs.turn, begin) + max(legs.turn - end, 0.0);
+    // The thousandth of the whole keeps the share defined where all of the ray is dark.
+    float focus = clamp(1.0 - 4.0 * thinner, 0.0, 1.0) * (turn / (lit_length + 1e-3 * extent));
     vec3 depth = airlight_depth_of_any_legs(atmosphere, ray, legs);
     return airlight_ShaftRay(ray,
                              legs,
@@ -271,15 +271,29 @@ vec3 airlight_light_between(airlight_ShaftRay shaft, airlight_ShaftPiece piece, 
 // turn stripes into noise; the mean over all offsets is that of looks without number.
 //
 // Beyond `range` from the eye, how far the shadow map reaches, nothing is lost. Nothing is lost twice
-// either: in the planet's own shadow there is no light to lose. Subtracted from single_scattering the result
-// may leave a rounding below 0.
+// either: in the planet's own shadow there is no light to lose. Where all is lost, the difference may come
+// out below 0 by the errors of both: the caller takes its max with 0.
+//
+// Errors in % of the ray's whole light, in half and 95 % of 2640 cases: eyes to 10 km, suns from 60 degrees
+// to the horizon, surfaces 1 to 100 km off and sky; half spaces, single shafts and rows of shafts of 50 m to
+// 5 km. Nearly all of it is edges of shadow that fall between looks; the first column, where all is dark,
+// has none, and the last is the mean of 16 offsets.
+//
+//     pieces x looks   all dark, 95 %   shadows, half   95 %   offsets' mean, 95 %   sources   time
+//     4 x 4                 1.9              1.7         16            1.6              5      0.005
+//     8 x 4                 0.46             0.87        11            0.84             9      0.009
+//     8 x 8                 0.35             0.50         6.2          0.42             9      0.014
+//     12 x 8                0.09             0.33         4.9          0.35            13      0.020
+//     16 x 8                0.04             0.25         3.8          0.27            17      0.026
+//     16 x 50               0.03             0.04         0.62                         17      0.10
+//     march, 800 steps      0.001            0.04         0.59                        800      1
 //
 // Units:    those of single_scattering; range [L]; offset [1]; result [1/sr] per unit of solar irradiance
 //           above the air.
 // Shape:    the result is a spectrum.
 // Domain:   that of single_scattering; range >= 0, no_surface() for none; offset in [0, 1]; visibility in
 //           [0, 1].
-// Accuracy: of the ray's whole light, measured below.
+// Accuracy: the table's; for eyes from 10 to 90 km and in space up to three times that. Float as double.
 // Errors:   none; without air, or with pieces or looks below 1, 0. Never more than the ray can scatter.
 // Source:   docs/theory/nodes.md for the source; cubic Hermite interpolation of its logarithm.
 vec3 airlight_light_lost_in_shadow(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,

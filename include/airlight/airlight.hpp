@@ -49,6 +49,8 @@
 #include <airlight/gathering.hpp>
 #include <airlight/ray_legs.hpp>
 
+#include <airlight/light_shafts.hpp>
+
 #include <airlight/diffuse_light.hpp>
 #include <airlight/diffuse_table.hpp>
 #include <airlight/gathered_light.hpp>

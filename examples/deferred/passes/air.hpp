@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "clouds.hpp"
 #include "lighting.hpp"
 #include "pass.hpp"
 #include "surfaces.hpp"
@@ -12,10 +15,11 @@ namespace deferred {
 /// from it.
 class AirPass {
   public:
-    AirPass(const World& world, const GpuTables& tables, int width, int height);
+    AirPass(const World& world, const GpuTables& tables, int width, int height, bool clouds);
 
     /// `lost` is the texture of light that shadows keep from the air, 0 for none.
-    void draw(const SurfacePass& surfaces, const LightingPass& lighting, GLuint lost);
+    void draw(const SurfacePass& surfaces, const LightingPass& lighting, GLuint lost,
+              const std::optional<CloudPass>& clouds);
 
     GLuint radiance() const {
         return radiance_;

@@ -42,7 +42,7 @@ bool on_screen(const Frame& frame, const glm::dvec3& direction) {
 }  // namespace
 
 EpipolarBlock epipolar_block(const Frame& frame, double columns_end, int slices, int samples, int columns) {
-    const glm::dvec3 to_sun = glm::normalize(glm::dvec3(frame.to_sun));
+    const glm::dvec3 to_sun = glm::normalize(glm::dvec3(to_mapped_light(frame)));
     const glm::dvec3 x = glm::normalize(
         glm::cross(std::abs(to_sun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), to_sun));
     const glm::dvec3 y = glm::cross(to_sun, x);
@@ -119,8 +119,8 @@ void EpipolarPass::draw(const View& view, const SurfacePass& surfaces, const Sha
         bind_texture(0, tree_);
         // Written beside what is read, then copied: no pass may read its own target.
         draw_screen(half_tree_target_, begin, 0, texels, slices_);
-        glCopyImageSubData(half_tree_, GL_TEXTURE_2D, 0, begin, 0, 0, tree_, GL_TEXTURE_2D, 0, begin, 0, 0, texels,
-                           slices_, 1);
+        glCopyImageSubData(half_tree_, GL_TEXTURE_2D, 0, begin, 0, 0, tree_, GL_TEXTURE_2D, 0, begin, 0, 0,
+                           texels, slices_, 1);
         from = begin;
     }
 

@@ -31,15 +31,16 @@ static_assert(offsetof(EpipolarBlock, first_slice) == 12 && offsetof(EpipolarBlo
 /// The slices and angles that a camera sees.
 EpipolarBlock epipolar_block(const Frame& frame, double columns_end, int slices, int samples, int columns);
 
-/// Light shafts by epipolar sampling, after Engelhardt and Dachsbacher (2010) and Yusov (2013): rays in half planes
-/// that hold the eye and the sun. In such a slice what shades the air is a height over a distance, and a tree of
-/// least and greatest heights tells for a whole stretch of a ray that it is lit or dark. Pixels take the light of the
-/// rays around them; where depth breaks they get a ray of their own.
+/// Light shafts by epipolar sampling, after Engelhardt and Dachsbacher (2010) and Yusov (2013): rays in half
+/// planes that hold the eye and the sun. In such a slice what shades the air is a height over a distance, and
+/// a tree of least and greatest heights tells for a whole stretch of a ray that it is lit or dark. Pixels
+/// take the light of the rays around them; where depth breaks they get a ray of their own.
 class EpipolarPass {
   public:
     EpipolarPass(const World& world, const Settings& settings, int width, int height);
 
-    void draw(const View& view, const SurfacePass& surfaces, const ShadowPass& shadows, const Settings& settings);
+    void draw(const View& view, const SurfacePass& surfaces, const ShadowPass& shadows,
+              const Settings& settings);
 
     GLuint lost() const {
         return lost_;
@@ -51,7 +52,7 @@ class EpipolarPass {
     int slices_;
     int samples_;
     int columns_;
-    support::Texture tree_;     // least and greatest height: all levels side by side, a slice a row
+    support::Texture tree_;       // least and greatest height: all levels side by side, a slice a row
     support::Texture half_tree_;  // a level is read from one and written to the other
     support::Texture marched_;
     support::Texture lost_;

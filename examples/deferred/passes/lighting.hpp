@@ -8,8 +8,8 @@
 
 namespace deferred {
 
-/// Light that leaves the surfaces towards the eye, and that of the sun's disc: all as if there were no air
-/// between them and the eye.
+/// Light that leaves the surfaces towards the eye, and that of the sun, the moon and the stars: all as if
+/// there were no air between them and the eye.
 class LightingPass {
   public:
     LightingPass(const World& world, const GpuTables& tables, int width, int height);

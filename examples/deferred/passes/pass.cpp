@@ -1,7 +1,5 @@
 #include "pass.hpp"
 
-#include <filesystem>
-
 #include "blocks.hpp"
 #include "support/error.hpp"
 #include "support/glsl_source.hpp"
@@ -17,8 +15,13 @@
 namespace deferred {
 namespace {
 
+std::filesystem::path& shader_folder() {
+    static std::filesystem::path folder = DEFERRED_SHADER_FOLDER;
+    return folder;
+}
+
 support::ShaderSource read_shader(GLenum stage, const std::string& file, const std::string& defines) {
-    const std::vector<std::filesystem::path> folders = {DEFERRED_SHADER_FOLDER, AIRLIGHT_GLSL_FOLDER};
+    const std::vector<std::filesystem::path> folders = {shader_folder(), AIRLIGHT_GLSL_FOLDER};
     const std::string text = "#version 430 core\n" + defines + "#include \"" + file + "\"\n";
     const support::ExpandedGlsl source = support::expand_includes(text, "preamble of " + file, folders);
     return support::ShaderSource{stage, source.text, source.names};
@@ -32,6 +35,10 @@ void bind_block(GLuint program, const char* name, Block block) {
 }
 
 }  // namespace
+
+void set_shader_folder(const std::filesystem::path& folder) {
+    shader_folder() = folder;
+}
 
 support::Program read_program(const std::string& vertex_file, const std::string& fragment_file,
                               const std::string& defines) {
@@ -72,6 +79,12 @@ void bind_texture(int unit, GLuint texture, GLenum target) {
     glBindTexture(target, texture);
 }
 
+void set_linear_filter(GLuint texture) {
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
 void draw_screen(GLuint target, int width, int height, bool depth_test) {
     draw_screen(target, 0, 0, width, height, depth_test);
 }
@@ -89,6 +102,15 @@ void draw_screen(GLuint target, int x, int y, int width, int height, bool depth_
     glBindVertexArray(0);
 }
 
+void copy_to(GLuint target, int width, int height, GLuint source, int source_width, int source_height) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+    const bool same_size = width == source_width && height == source_height;
+    glBlitFramebuffer(0, 0, source_width, source_height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                      same_size ? GL_NEAREST : GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+}
+
 bool has_clip_control() {
     return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control");
 }
@@ -103,6 +125,15 @@ std::vector<float> read_texture(GLuint texture, GLenum format, std::size_t count
     glBindTexture(GL_TEXTURE_2D, texture);
     glGetTexImage(GL_TEXTURE_2D, 0, format, GL_FLOAT, values.data());
     return values;
+}
+
+std::vector<float> read_samples(GLuint texture, int width, int height, int columns, int rows) {
+    const support::Framebuffer source = make_target({texture});
+    const support::Texture small = support::create_texture(GL_RGBA32F, columns, rows);
+    const support::Framebuffer target = make_target({small});
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, columns, rows, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return read_texture(small, GL_RGB, 3 * std::size_t(columns) * std::size_t(rows));
 }
 
 }  // namespace deferred

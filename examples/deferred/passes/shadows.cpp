@@ -32,7 +32,7 @@ Sphere around_stretch(const Frame& frame, double nearest, double end) {
 }  // namespace
 
 std::array<Cascade, cascade_count> cascades_of(const View& view, double landscape_radius, int size) {
-    const glm::dvec3 to_sun = glm::normalize(glm::dvec3(view.frame.to_sun));
+    const glm::dvec3 to_sun = glm::normalize(glm::dvec3(to_mapped_light(view.frame)));
     // Sideways axes that hang on the sun alone.
     const glm::dvec3 across = glm::normalize(
         glm::cross(std::abs(to_sun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), to_sun));
@@ -120,6 +120,7 @@ void ShadowPass::draw(const View& view, const Geometry& geometry, bool on) {
         glClear(GL_DEPTH_BUFFER_BIT);
         program.set("cascade", i);
         geometry.draw_terrain();
+        geometry.draw_objects();
     }
     glDisable(GL_DEPTH_CLAMP);
 }

@@ -5,6 +5,7 @@ namespace deferred {
 SurfacePass::SurfacePass(const World& world, int width, int height)
     : world_(world), width_(width), height_(height) {
     terrain_program_ = read_program("terrain.vert", "terrain.frag", clip_define());
+    object_program_ = read_program("object.vert", "object.frag", clip_define());
     planet_program_ = read_screen_program("planet.frag", scene_defines(world));
     depth_ = support::create_texture(GL_DEPTH_COMPONENT32F, width, height);
     albedo_ = support::create_texture(GL_RGBA16F, width, height);
@@ -28,6 +29,9 @@ void SurfacePass::draw(const Geometry& geometry) {
     terrain.set("bare_albedo", world_.atmosphere.ground_albedo);
     terrain.set("vegetated", int(world_.vegetated));
     geometry.draw_terrain();
+
+    glUseProgram(object_program_);
+    geometry.draw_objects();
 
     const support::Uniforms planet(planet_program_);
     planet.set("vegetated", int(world_.vegetated));

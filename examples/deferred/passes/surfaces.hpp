@@ -26,6 +26,9 @@ class SurfacePass {
     GLuint normal() const {
         return normal_;
     }
+    GLuint target() const {
+        return target_;
+    }
 
   private:
     const World& world_;
@@ -36,6 +39,7 @@ class SurfacePass {
     support::Texture normal_;
     support::Framebuffer target_;
     support::Program terrain_program_;
+    support::Program object_program_;
     support::Program planet_program_;
 };
 

@@ -8,17 +8,23 @@ TonePass::TonePass(int width, int height) : width_(width), height_(height) {
     target_ = make_target({encoded_});
 }
 
-void TonePass::draw(GLuint radiance, const VisibilityPass& visibility, const Settings& settings,
-                    float exposure) {
+void TonePass::draw(GLuint radiance, GLuint shares, const BloomPass& bloom, const FlarePass& flare,
+                    const Settings& settings, float exposure) {
     const support::Uniforms program(program_);
     program.set("radiance_texture", 0);
     program.set("shares_texture", 1);
+    program.set("glow_texture", 2);
+    program.set("flare_texture", 3);
+    program.set("glow_share", settings.bloom ? BloomPass::share : 0.0f);
+    program.set("any_flare", int(settings.flare));
     program.set("exposure", exposure);
     program.set("use_exposure", int(settings.use_exposure));
     program.set("use_gamma", int(settings.use_gamma));
     program.set("cascade_colors", int(settings.cascade_colors && settings.shadows));
     bind_texture(0, radiance);
-    bind_texture(1, visibility.shares());
+    bind_texture(1, shares);
+    bind_texture(2, bloom.glow());
+    bind_texture(3, flare.radiance());
     draw_screen(target_, width_, height_);
 }
 

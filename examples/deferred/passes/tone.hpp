@@ -3,9 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "bloom.hpp"
+#include "flare.hpp"
 #include "pass.hpp"
 #include "settings.hpp"
-#include "visibility.hpp"
 
 namespace deferred {
 
@@ -14,7 +15,10 @@ class TonePass {
   public:
     TonePass(int width, int height);
 
-    void draw(GLuint radiance, const VisibilityPass& visibility, const Settings& settings, float exposure);
+    /// `shares` are those of VisibilityPass. BloomPass and FlarePass have been drawn where the settings have
+    /// them.
+    void draw(GLuint radiance, GLuint shares, const BloomPass& bloom, const FlarePass& flare,
+              const Settings& settings, float exposure);
 
     /// What was drawn last: 3 bytes per pixel, the lower row first.
     std::vector<std::uint8_t> read() const;

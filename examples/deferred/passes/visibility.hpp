@@ -9,9 +9,10 @@ namespace deferred {
 /// How much of the sun and of the sky each pixel's surface sees.
 class VisibilityPass {
   public:
-    VisibilityPass(int width, int height);
+    VisibilityPass(int width, int height, bool clouds);
 
-    void draw(const SurfacePass& surfaces, const ShadowPass& shadows);
+    /// `sky_share` is the texture of OcclusionPass, 0 for an open sky everywhere.
+    void draw(const SurfacePass& surfaces, const ShadowPass& shadows, GLuint sky_share);
 
     /// Share of the sun, share of the sky, number of the cascade that told (4 for none).
     GLuint shares() const {

@@ -18,7 +18,7 @@ void main() {
     float depth = texelFetch(depth_texture, pixel, 0).x;
     float distance = depth > 0.0 ? frame.near_distance / depth * ray_length : airlight_no_surface();
 
-    vec2 place = epipolar_place(direction, frame.to_sun);
+    vec2 place = epipolar_place(direction, to_mapped_light(frame));
     ivec2 first = ivec2(floor(place));
     vec2 share = place - vec2(first);
     vec4 sum = vec4(0.0);
@@ -41,5 +41,5 @@ void main() {
     airlight_Viewpoint eye =
         airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
     int slice = clamp(int(floor(place.y + 0.5)), 0, slices);
-    lost = vec4(light_lost_in_slice(eye, direction, frame.to_sun, distance, shadow_range, slice % slices), 0.0);
+    lost = vec4(light_lost_in_slice(eye, direction, to_mapped_light(frame), distance, shadow_range, slice % slices), 0.0);
 }

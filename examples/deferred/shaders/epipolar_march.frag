@@ -11,7 +11,7 @@ layout(location = 0) out vec4 lost;  // and the distance of the surface, negativ
 void main() {
     int slice = int(gl_FragCoord.y);
     float angle = sample_angle(gl_FragCoord.x - 0.5);
-    vec3 direction = cos(angle) * frame.to_sun + sin(angle) * slice_direction(float(slice));
+    vec3 direction = cos(angle) * to_mapped_light(frame) + sin(angle) * slice_direction(float(slice));
 
     // The pixel that looks there.
     vec3 forward = normalize(cross(frame.ray_up, frame.ray_across));
@@ -29,5 +29,5 @@ void main() {
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
     airlight_Viewpoint eye =
         airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
-    lost = vec4(light_lost_in_slice(eye, direction, frame.to_sun, distance, shadow_range, slice), distance);
+    lost = vec4(light_lost_in_slice(eye, direction, to_mapped_light(frame), distance, shadow_range, slice), distance);
 }

@@ -1,6 +1,7 @@
 // The light that shadows keep from the air in front of each pixel: looks at the shadow maps along its ray.
 #include "atmosphere_block.glsl"
 #include "frame.glsl"
+#include "interleaved.glsl"
 #include "shadows.glsl"
 
 #define AIRLIGHT_VISIBILITY(position) sun_reaches(position)
@@ -14,15 +15,6 @@ uniform int looks;
 
 layout(location = 0) out vec4 lost;  // and the distance of the surface
 
-// Every number from 1/32 to 31/32 in steps of a sixteenth once in each 4 x 4 pixels: together they look sixteen
-// times as often as each does.
-float interleaved(ivec2 pixel) {
-    ivec2 p = pixel & 3;
-    int fine = ((p.x ^ p.y) & 1) * 2 + (p.y & 1);
-    int coarse = (((p.x >> 1) ^ (p.y >> 1)) & 1) * 2 + ((p.y >> 1) & 1);
-    return (float(fine * 4 + coarse) + 0.5) / 16.0;
-}
-
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     ivec2 pixel = min(texel * scale, ivec2(frame.width - 1, frame.height - 1));
@@ -33,7 +25,7 @@ void main() {
     vec3 origin_up = vec3(0.0, 0.0, 1.0);
     airlight_Viewpoint eye =
         airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
-    lost = vec4(airlight_light_lost_in_shadow(atmosphere, eye, ray / ray_length, frame.to_sun, distance,
+    lost = vec4(airlight_light_lost_in_shadow(atmosphere, eye, ray / ray_length, to_mapped_light(frame), distance,
                                               shadow_range, pieces, looks, interleaved(texel)),
                 distance);
 }

@@ -25,9 +25,9 @@ void main() {
         airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
     vec3 direction = ray / ray_length;
     vec3 seen =
-        airlight_single_scattering_marched(atmosphere, eye, direction, frame.to_sun, distance, steps).radiance;
+        airlight_single_scattering_marched(atmosphere, eye, direction, to_mapped_light(frame), distance, steps).radiance;
     shaded = false;
     vec3 lit =
-        airlight_single_scattering_marched(atmosphere, eye, direction, frame.to_sun, distance, steps).radiance;
+        airlight_single_scattering_marched(atmosphere, eye, direction, to_mapped_light(frame), distance, steps).radiance;
     lost = vec4(max(lit - seen, 0.0), 1.0);
 }
