@@ -86,7 +86,9 @@ float automatic_exposure(const std::vector<float>& radiance, const std::vector<b
         return 1;
     }
     const float middle = *(first + (lit.end() - first) / 2);
-    return std::clamp(0.25f / middle, 1e-6f, 1e12f);
+    // Before a bright sky a dark foreground stays dark: nine tenths of what is lit keep their colour.
+    const float high = *(first + 9 * (lit.end() - first) / 10);
+    return std::clamp(std::min(0.25f / middle, 1.3f / high), 1e-6f, 1e12f);
 }
 
 }  // namespace deferred
