@@ -21,7 +21,7 @@
 namespace deferred {
 namespace {
 
-constexpr int truth_steps = 6400;
+constexpr int truth_steps = 3200;
 
 struct Method {
     std::string name;

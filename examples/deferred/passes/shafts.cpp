@@ -9,7 +9,7 @@ ShaftPass::ShaftPass(const World& world, int width, int height, bool half)
       march_height_(half ? (height + 1) / 2 : height) {
     march_program_ = read_screen_program("shafts_march.frag", scene_defines(world));
     reference_program_ = read_screen_program("shafts_reference.frag", scene_defines(world));
-    gather_program_ = read_screen_program("shafts_gather.frag");
+    gather_program_ = read_screen_program("shafts_gather.frag", scene_defines(world));
     marched_ = support::create_texture(GL_RGBA32F, march_width_, march_height_);
     lost_ = support::create_texture(GL_RGBA32F, width, height);
     marched_target_ = make_target({marched_});
@@ -27,21 +27,21 @@ void ShaftPass::draw(const SurfacePass& surfaces, const ShadowPass& shadows, con
         return;
     }
     const int scale = march_width_ < width_ ? 2 : 1;
-    const support::Uniforms march(march_program_);
-    march.set("depth_texture", 0);
-    march.set("scale", scale);
-    march.set("pieces", settings.shaft_pieces);
-    march.set("looks", settings.shaft_looks);
-    bind_texture(0, surfaces.depth());
-    shadows.bind(march, 1);
+    const auto set_up = [&](const support::Uniforms& program) {
+        program.set("depth_texture", 0);
+        program.set("scale", scale);
+        program.set("pieces", settings.shaft_pieces);
+        program.set("looks", settings.shaft_looks);
+        bind_texture(0, surfaces.depth());
+        shadows.bind(program, 1);
+    };
+    set_up(support::Uniforms(march_program_));
     draw_screen(marched_target_, march_width_, march_height_);
 
     const support::Uniforms gather(gather_program_);
-    gather.set("depth_texture", 0);
-    gather.set("marched_texture", 1);
-    gather.set("scale", scale);
-    bind_texture(0, surfaces.depth());
-    bind_texture(1, marched_);
+    set_up(gather);
+    gather.set("marched_texture", 2);
+    bind_texture(2, marched_);
     draw_screen(lost_target_, width_, height_);
 }
 
