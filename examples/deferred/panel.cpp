@@ -6,6 +6,8 @@
 #include <cfloat>
 #include <cstdio>
 
+#include "options.hpp"
+
 namespace deferred {
 namespace {
 
@@ -85,7 +87,7 @@ void picture_section(Controls& controls, Wishes& wishes) {
     ImGui::BeginDisabled(controls.automatic_exposure);
     ImGui::SliderFloat("exposure", &controls.exposure, 1e-2f, 1e7f, "%.4g", logarithmic);
     ImGui::EndDisabled();
-    ImGui::SliderInt("coarseness", &controls.coarseness, 1, 8, "1 : %d", clamped);
+    ImGui::SliderInt("coarseness", &controls.coarseness, 1, largest_coarseness, "1 : %d", clamped);
     help("Pixels of the window each way that share one of the picture");
 }
 
@@ -190,6 +192,10 @@ void switch_section(Controls& controls, Wishes& wishes) {
         }
         help(s.help);
     }
+    if (controls.settings.moon) {
+        wishes.changed |= slider("moon's elevation", controls.settings.moon_elevation, -90, 90, "%.1f deg");
+        wishes.changed |= slider("moon's azimuth", controls.settings.moon_azimuth, 0, 360, "%.1f deg");
+    }
     wishes.changed |= ImGui::Checkbox("glint after Phong", &controls.settings.phong);
     wishes.changed |= ImGui::Checkbox("ground after Lommel and Seeliger", &controls.settings.lommel_seeliger);
     int shafts = int(controls.settings.shafts);
@@ -242,7 +248,7 @@ void keys_section() {
         "wheel      angle of view\n"
         "W A S D    fly; Q E down and up\n"
         "shift      faster, ctrl slower\n"
-        "1 2 3 4    the named cameras\n"
+        "1 to 5     the named cameras\n"
         "space      ride into space\n"
         "M          moving sun\n"
         "F1         this panel\n"
