@@ -277,10 +277,11 @@ Wishes draw_panel(Controls& controls, const Status& status) {
     if (!controls.panel) {
         return wishes;
     }
-    ImGui::SetNextWindowPos(ImVec2(4, 4), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(std::min(340.0f, 0.5f * display.x), std::max(display.y - 8, 1.0f)),
-                             ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("airlight")) {
+    // Always along the left edge: a window that was small for a while must not push it out.
+    const float width = std::min(340 * std::max(ImGui::GetIO().FontGlobalScale, 1.0f), 0.5f * display.x);
+    ImGui::SetNextWindowPos(ImVec2(4, 4));
+    ImGui::SetNextWindowSize(ImVec2(width, std::max(display.y - 8, 1.0f)));
+    if (ImGui::Begin("airlight", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) {
         ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x * 0.6f);
         ImGui::TextWrapped("%.1f frames/s, %d x %d", 1 / std::max(status.frame_seconds, 1e-6), status.width,
                            status.height);

@@ -33,7 +33,6 @@
 namespace deferred {
 namespace {
 
-constexpr double latitude = 36.4;          // [degrees] of the landscape: where its sun's path comes from
 constexpr double hours_per_pixel = 0.01;   // that the sun is dragged sideways
 constexpr double degrees_per_pixel = 0.1;  // and up and down
 constexpr double ride_seconds = 40;        // from the ground into space
