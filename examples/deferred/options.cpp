@@ -103,6 +103,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     options.sky_steps = 12;
     options.height_map = DEFERRED_HEIGHT_MAP;
     options.output = ".";
+    options.coarseness = 1;
     options.frames = 100;
     options.latitude = 36.3;
     bool headless = false;
@@ -110,6 +111,8 @@ std::optional<Options> parse_options(int count, char** arguments) {
 
     app.add_flag("--window", options.window,
                  "Open a window on the first camera and sun; it says there which keys do what");
+    app.add_option("--coarseness", options.coarseness,
+                   "Pixels of the window each way that share one of the picture; 1 if not given");
     app.add_option("--screenshot", options.screenshot,
                    "PNG of the window in the last of its --frames, panel and all");
     app.add_option("--window-sizes", window_sizes,
@@ -310,6 +313,8 @@ std::optional<Options> parse_options(int count, char** arguments) {
         require_range("--frames", options.frames, 1, most_frames);
         options.window_frames = options.frames;
     }
+    refuse(!options.window, "it is for a --window", {"--coarseness"});
+    require_range("--coarseness", options.coarseness, 1, largest_coarseness);
     refuse(!options.window_frames, "it is for a --window with --frames", {"--screenshot", "--window-sizes"});
     if (nodes != airlight::DefaultScene::nodes && options.difference && !options.window &&
         !options.sequence) {

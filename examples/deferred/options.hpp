@@ -13,11 +13,14 @@
 
 namespace deferred {
 
+inline constexpr int largest_coarseness = 8;
+
 /// What the command line asks for.
 struct Options {
-    bool window = false;                            ///< else pictures
-    std::optional<int> window_frames;               ///< then it closes
-    std::string screenshot;                         ///< of its last frame; "" for none
+    bool window = false;               ///< else pictures
+    std::optional<int> window_frames;  ///< then it closes
+    int coarseness;                    ///< pixels of the window each way that share one of the picture
+    std::string screenshot;            ///< of its last frame; "" for none
     std::vector<std::pair<int, int>> window_sizes;  ///< that it takes, one a frame
     bool times = false;                             ///< print GPU times
     std::vector<Camera> cameras;

@@ -6,6 +6,8 @@
 #include <cfloat>
 #include <cstdio>
 
+#include "options.hpp"
+
 namespace deferred {
 namespace {
 
@@ -85,7 +87,7 @@ void picture_section(Controls& controls, Wishes& wishes) {
     ImGui::BeginDisabled(controls.automatic_exposure);
     ImGui::SliderFloat("exposure", &controls.exposure, 1e-2f, 1e7f, "%.4g", logarithmic);
     ImGui::EndDisabled();
-    ImGui::SliderInt("coarseness", &controls.coarseness, 1, 8, "1 : %d", clamped);
+    ImGui::SliderInt("coarseness", &controls.coarseness, 1, largest_coarseness, "1 : %d", clamped);
     help("Pixels of the window each way that share one of the picture");
 }
 
@@ -190,6 +192,10 @@ void switch_section(Controls& controls, Wishes& wishes) {
         }
         help(s.help);
     }
+    if (controls.settings.moon) {
+        wishes.changed |= slider("moon's elevation", controls.settings.moon_elevation, -90, 90, "%.1f deg");
+        wishes.changed |= slider("moon's azimuth", controls.settings.moon_azimuth, 0, 360, "%.1f deg");
+    }
     wishes.changed |= ImGui::Checkbox("glint after Phong", &controls.settings.phong);
     wishes.changed |= ImGui::Checkbox("ground after Lommel and Seeliger", &controls.settings.lommel_seeliger);
     int shafts = int(controls.settings.shafts);
@@ -242,7 +248,7 @@ void keys_section() {
         "wheel      angle of view\n"
         "W A S D    fly; Q E down and up\n"
         "shift      faster, ctrl slower\n"
-        "1 2 3 4    the named cameras\n"
+        "1 to 5     the named cameras\n"
         "space      ride into space\n"
         "M          moving sun\n"
         "F1         this panel\n"
@@ -271,10 +277,11 @@ Wishes draw_panel(Controls& controls, const Status& status) {
     if (!controls.panel) {
         return wishes;
     }
-    ImGui::SetNextWindowPos(ImVec2(4, 4), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(std::min(340.0f, 0.5f * display.x), std::max(display.y - 8, 1.0f)),
-                             ImGuiCond_FirstUseEver);
-    if (ImGui::Begin("airlight")) {
+    // Always along the left edge: a window that was small for a while must not push it out.
+    const float width = std::min(340 * std::max(ImGui::GetIO().FontGlobalScale, 1.0f), 0.5f * display.x);
+    ImGui::SetNextWindowPos(ImVec2(4, 4));
+    ImGui::SetNextWindowSize(ImVec2(width, std::max(display.y - 8, 1.0f)));
+    if (ImGui::Begin("airlight", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) {
         ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x * 0.6f);
         ImGui::TextWrapped("%.1f frames/s, %d x %d", 1 / std::max(status.frame_seconds, 1e-6), status.width,
                            status.height);

@@ -96,7 +96,7 @@ GpuPicture Renderer::read() const {
     }
     picture.radiance = read_texture(air_.radiance(), GL_RGB, 3 * count);
     for (const PassTime& pass : timers_.read(true)) {
-        if (pass.name == "lighting" || pass.name == "shafts" || pass.name == "air") {
+        if (pass.name == "lighting" || pass.name == "clouds" || pass.name == "shafts" || pass.name == "air") {
             picture.milliseconds += pass.milliseconds;
         }
         if (pass.name == "shafts") {

@@ -7,10 +7,10 @@
 namespace deferred {
 namespace {
 
-/// As few digits as bring the same float back, and a point where an int would be read.
+/// Digits enough to bring the same float back, and a point where an int would be read.
 std::string number(float value) {
     char text[32];
-    for (int digits = 6; digits <= 9; ++digits) {
+    for (int digits = 7; digits <= 9; ++digits) {
         std::snprintf(text, sizeof text, "%.*g", digits, double(value));
         if (std::strtof(text, nullptr) == value) {
             break;

@@ -33,9 +33,10 @@
 namespace deferred {
 namespace {
 
-constexpr double latitude = 36.4;        // [degrees] of the landscape: where its sun's path comes from
-constexpr double ride_seconds = 40;      // from the ground into space
-constexpr int ride_stations = 4001;      // on the way
+constexpr double hours_per_pixel = 0.01;   // that the sun is dragged sideways
+constexpr double degrees_per_pixel = 0.1;  // and up and down
+constexpr double ride_seconds = 40;        // from the ground into space
+constexpr int ride_stations = 4001;        // on the way
 constexpr double longest_step = 0.25;    // [s] that anything moves in one frame, however slow the frames are
 constexpr double settle_seconds = 0.15;  // a window that is being resized gets its passes when it rests
 constexpr double idle_seconds = 0.05;    // between two looks at what goes on in the background
@@ -138,6 +139,9 @@ class Window {
                 static_cast<Window*>(glfwGetWindowUserPointer(window))->press(key);
             }
         });
+        glfwSetCursorPosCallback(glfw_.window, [](GLFWwindow* window, double x, double y) {
+            static_cast<Window*>(glfwGetWindowUserPointer(window))->drag(x, y);
+        });
         glfwSetScrollCallback(glfw_.window, [](GLFWwindow* window, double, double up) {
             if (!ImGui::GetIO().WantCaptureMouse) {
                 static_cast<Window*>(glfwGetWindowUserPointer(window))->zoom(up);
@@ -146,6 +150,7 @@ class Window {
         gui_ = std::make_unique<Gui>(glfw_.window);
         status_.driver = "OpenGL " + gl_text(GL_VERSION) + " on " + gl_text(GL_RENDERER);
         std::printf("%s\n", status_.driver.c_str());
+        std::fflush(stdout);
         if (options.window_frames) {
             tables_ = bake_tables(options.tables, world_);
         } else {
@@ -206,6 +211,7 @@ class Window {
         controls.marched = options.marched;
         controls.steps = options.steps;
         controls.sky_steps = options.sky_steps;
+        controls.coarseness = options.coarseness;
         controls.automatic_exposure = !options.exposure;
         controls.exposure = float(options.exposure.value_or(20));
         return controls;
@@ -249,32 +255,34 @@ class Window {
         dirty_ = true;
     }
 
+    /// Every motion of the mouse, however many there are in a frame.
+    void drag(double x, double y) {
+        const double right = x - cursor_x_;
+        const double down = y - cursor_y_;
+        cursor_x_ = x;
+        cursor_y_ = y;
+        if (ImGui::GetIO().WantCaptureMouse) {
+            return;
+        }
+        if (glfwGetMouseButton(glfw_.window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) {
+            const double degrees = controls_.camera.field_of_view / std::max(height_, 1);
+            controls_.camera = turned(controls_.camera, -right * degrees, down * degrees);
+            dirty_ = true;
+        } else if (glfwGetMouseButton(glfw_.window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
+            set_sun(hours_later(sun(), hours_per_pixel * right, options_.latitude));
+            controls_.sun_elevation =
+                std::clamp(controls_.sun_elevation - degrees_per_pixel * down, -90.0, 90.0);
+            dirty_ = true;
+        }
+    }
+
     bool held(int key) const {
         return glfwGetKey(glfw_.window, key) == GLFW_PRESS;
     }
 
     void move(double seconds) {
         moving_ = false;
-        const ImGuiIO& io = ImGui::GetIO();
-        double x = 0;
-        double y = 0;
-        glfwGetCursorPos(glfw_.window, &x, &y);
-        const double right = x - cursor_x_;
-        const double down = y - cursor_y_;
-        cursor_x_ = x;
-        cursor_y_ = y;
-        if (!io.WantCaptureMouse && (right != 0 || down != 0)) {
-            if (glfwGetMouseButton(glfw_.window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) {
-                const double degrees = controls_.camera.field_of_view / std::max(height_, 1);
-                controls_.camera = turned(controls_.camera, -right * degrees, down * degrees);
-                dirty_ = moving_ = true;
-            } else if (glfwGetMouseButton(glfw_.window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
-                set_sun(hours_later(sun(), 0.01 * right, options_.latitude));
-                controls_.sun_elevation = std::clamp(controls_.sun_elevation - 0.1 * down, -90.0, 90.0);
-                dirty_ = moving_ = true;
-            }
-        }
-        if (!io.WantCaptureKeyboard) {
+        if (!ImGui::GetIO().WantCaptureKeyboard) {
             const auto axis = [&](int plus, int minus) { return double(held(plus)) - double(held(minus)); };
             const Steering steering{axis(GLFW_KEY_W, GLFW_KEY_S), axis(GLFW_KEY_D, GLFW_KEY_A),
                                     axis(GLFW_KEY_E, GLFW_KEY_Q),
