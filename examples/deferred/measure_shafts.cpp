@@ -138,17 +138,19 @@ void measure(int width, int height, const std::string& page) {
     std::ostringstream text;
     text << "# Light shafts: error and cost\n\n"
          << "Light of pixels of " << width << " x " << height << " against a march of " << truth_steps
-         << " even steps through the same shadow maps, relative to the\npixel's own radiance, over "
+         << " even steps through the same shadow maps,\nrelative to the pixel's own radiance, single "
+            "scattering, three "
+            "channels, over\n"
          << views.size() << " views of `deferred` (";
     for (std::size_t v = 0; v < suns.size(); ++v) {
         text << (v == 0 ? "" : ", ") << suns[v].camera << " " << suns[v].elevation;
     }
-    text << " degrees), single scattering, three channels. Milliseconds\nof the shafts' passes alone, the "
-            "faster of "
-            "two runs, mean of the views, on "
-         << context.renderer() << ",\n"
-         << support::processor_name() << ".\n"
-         << "Written by `measure_shafts --write`.\n\n"
+    text << " degrees).\nMilliseconds of the shafts' passes alone, the faster of two runs, mean of the "
+            "views, on\n"
+         << context.renderer() << ", " << support::processor_name()
+         << ".\nWritten by `measure_shafts --write docs/shafts.md`.\n\n"
+         << "The worst pixels lie where the sun's aureole is all but covered, and what is left is a small "
+            "difference.\n\n"
          << "| method | median, % | 95 % within, % | worst, % | ms |\n|---|---|---|---|---|\n"
          << rows.str();
     if (page.empty()) {
