@@ -204,8 +204,8 @@ void switch_section(Controls& controls, Wishes& wishes) {
         wishes.changed = wishes.rebuild = true;
     }
     for (const Count& count : counts_of(controls.settings)) {
-        wishes.changed |= ImGui::SliderInt(label_of(count.option).c_str(), count.value, count.least,
-                                           count.slider_most, "%d", clamped);
+        ImGui::SliderInt(label_of(count.option).c_str(), count.value, count.least, count.slider_most, "%d",
+                         clamped);
         wishes.rebuild |= ImGui::IsItemDeactivatedAfterEdit();
         help(count.help);
     }
@@ -213,7 +213,7 @@ void switch_section(Controls& controls, Wishes& wishes) {
 
 void compare_section(Controls& controls, const Status& status, Wishes& wishes) {
     int reference = int(controls.reference);
-    if (choice("with", reference, {"nothing", "24 nodes, 800 looks", "the CPU"})) {
+    if (choice("with", reference, {"nothing", "24 nodes, 800 steps", "the CPU"})) {
         controls.reference = Reference(reference);
         wishes.changed = true;
     }

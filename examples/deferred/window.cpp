@@ -43,8 +43,6 @@ constexpr double idle_seconds = 0.05;    // between two looks at what goes on in
 constexpr int samples_across = 64;       // of the picture, for its exposure
 constexpr int samples_up = 36;
 constexpr int reference_nodes = 24;
-constexpr int reference_pieces = 50;
-constexpr int reference_looks = 16;  // in each piece: 800 in all
 
 std::string last_glfw_error;
 
@@ -220,7 +218,7 @@ class Window {
     Picturing picturing(int width, int height) const {
         const bool marched = controls_.marched || tables_.kind == TableKind::transmittance;
         return Picturing{width,   height,          controls_.sun_elevation, controls_.sun_azimuth,
-                         marched, controls_.steps, controls_.sky_steps,     controls_.settings};
+                         marched, controls_.steps, controls_.sky_steps,     live_settings()};
     }
 
     // ---- what keys and mouse do
@@ -402,6 +400,7 @@ class Window {
                                                     std::get<0>(wanted), std::get<1>(wanted));
             difference_ = std::make_unique<DifferencePass>(std::get<0>(wanted), std::get<1>(wanted));
             renderer_ = std::move(fresh);
+            settings_ = controls_.settings;
             reference_renderer_.reset();
             if (f5_) {
                 status_.note = "shaders read again";
@@ -415,6 +414,16 @@ class Window {
         }
         f5_ = false;
         dirty_ = true;
+    }
+
+    /// What the renderer was made with, and of what has changed since only that which no pass is made with.
+    Settings live_settings() const {
+        Settings settings = settings_;
+        settings.phong = controls_.settings.phong;
+        settings.lommel_seeliger = controls_.settings.lommel_seeliger;
+        settings.moon_elevation = controls_.settings.moon_elevation;
+        settings.moon_azimuth = controls_.settings.moon_azimuth;
+        return settings;
     }
 
     // ---- a frame
@@ -431,6 +440,9 @@ class Window {
         status_.height = renderer_->height();
         obey(draw_panel(controls_, status_));
         ImGui::Render();
+        if (reload_) {
+            build(now);
+        }
 
         const bool drawn = dirty_;
         if (dirty_) {
@@ -469,7 +481,7 @@ class Window {
         } catch (const support::Error& error) {
             status_.note = error.what();  // the last view that was possible stays
         }
-        renderer_->draw(view_, controls_.settings);
+        renderer_->draw(view_, live_settings());
         if (controls_.automatic_exposure) {
             const std::vector<float> samples = read_samples(renderer_->radiance(), renderer_->width(),
                                                             renderer_->height(), samples_across, samples_up);
@@ -488,10 +500,11 @@ class Window {
 
     /// The same picture as well as this renderer can.
     void draw_reference() {
-        Settings settings = controls_.settings;
-        settings.shaft_pieces = reference_pieces;
-        settings.shaft_looks = reference_looks;
-        settings.half_shafts = false;
+        Settings settings = live_settings();
+        if (settings.shafts != Shafts::none) {
+            settings.shafts = Shafts::reference;
+            settings.half_shafts = false;
+        }
         if (reference_renderer_ == nullptr) {
             reference_renderer_ = std::make_unique<Renderer>(reference_world_, tables_, terrain_, settings,
                                                              renderer_->width(), renderer_->height());
@@ -500,7 +513,7 @@ class Window {
         view.frame.marched = 0;
         reference_renderer_->draw(view, settings);
         status_.reference =
-            "Against 24 nodes, and 800 looks at the shadow maps along each ray where there are shafts. "
+            "Against 24 nodes, and 800 even steps for each pixel where there are light shafts. "
             "Relative differences, worst channel. The reference has the same table and the same passes: an "
             "error of those does not show. Its own air is within 0.1 % of exact single scattering.";
         if (!air_is_live()) {
@@ -519,7 +532,7 @@ class Window {
         const bool fine = controls_.reference == Reference::fine && reference_renderer_ != nullptr;
         const bool cpu = controls_.reference == Reference::cpu && compared_ && cpu_picture_ != 0;
         if (!fine && !cpu) {
-            renderer_->show(controls_.settings, controls_.exposure, 0, width_, height_);
+            renderer_->show(live_settings(), controls_.exposure, 0, width_, height_);
             return;
         }
         const GLuint reference = fine ? reference_renderer_->radiance() : GLuint(cpu_picture_);
@@ -589,7 +602,7 @@ class Window {
             }
             support::write_exr(base.string() + ".exr", layers(renderer_->read(), view_.frame));
             support::write_png(base.string() + ".png",
-                               upright(renderer_->display(controls_.settings, controls_.exposure),
+                               upright(renderer_->display(live_settings(), controls_.exposure),
                                        renderer_->width(), renderer_->height()));
             status_.note = "wrote " + base.string() + ".png and .exr";
         } catch (const support::Error& error) {
@@ -601,7 +614,8 @@ class Window {
     Terrain terrain_;
     AirTables tables_{};
     Controls controls_;
-    World world_;  // of the picture
+    Settings settings_;  // that the renderer was made with
+    World world_;        // of the picture
     World reference_world_;
     World baked_world_;
     View view_;
