@@ -6,8 +6,10 @@
 # wherever it comes from.
 airlight_build_packages=(cmake:cmake ninja:ninja-build pkg-config:pkg-config libglm-dev)
 airlight_gl_packages=(libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri)
-airlight_example_packages=("${airlight_gl_packages[@]}" libopenexr-dev libimath-dev libpng-dev libcli11-dev)
-airlight_test_packages=(doctest-dev nlohmann-json3-dev libclang-14-dev glslangValidator:glslang-tools)
+airlight_example_packages=("${airlight_gl_packages[@]}" libopenexr-dev libimath-dev libpng-dev libcli11-dev
+    libglfw3-dev libimgui-dev)
+airlight_test_packages=(doctest-dev nlohmann-json3-dev libclang-14-dev glslangValidator:glslang-tools xvfb-run:xvfb
+    xauth:xauth)
 airlight_bench_packages=(libbenchmark-dev mesa-vulkan-drivers libvulkan-dev glslang-dev spirv-tools)
 airlight_ci_packages=(clang++:clang clang-format-14:clang-format-14 chromium:chromium)
 

@@ -46,7 +46,8 @@ std::string bound_for_vulkan(std::string text, const std::string& atmosphere_typ
         }
         text.replace(at, declaration.size(), bound);
     };
-    replace("uniform " + atmosphere_type + " atmosphere;", atmosphere_block(atmosphere_type));
+    replace("layout(std140) uniform AtmosphereBlock {\n    " + atmosphere_type + " atmosphere;\n};\n",
+            atmosphere_block(atmosphere_type));
     for (std::uint32_t i = 0; i < binding::tables; ++i) {
         const std::string sampler = "uniform sampler3D table_" + std::to_string(i) + ";";
         replace(sampler, "layout(binding = " + std::to_string(binding::table + i) + ") " + sampler);

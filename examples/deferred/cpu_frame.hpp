@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "frame.hpp"
-#include "gpu_frame.hpp"
+#include "renderer.hpp"
 #include "tables.hpp"
 #include "world.hpp"
 
@@ -14,7 +14,7 @@ namespace deferred {
 std::vector<float> light_on_cpu(const World& world, const AirTables& tables, const Frame& frame,
                                 const GBuffer& surfaces);
 
-/// Which pixels show the sun's disc, wholly or in part; the lower row first.
+/// Which pixels show the sun's disc or the moon's, wholly or in part; the lower row first.
 std::vector<bool> disc_pixels(const Frame& frame, const GBuffer& surfaces);
 
 }  // namespace deferred

@@ -19,6 +19,7 @@ namespace {
 constexpr int largest_size = 8192;
 // North is not defined further from the landscape than a quarter of the planet.
 constexpr double largest_offset_km = 3000;
+constexpr int most_frames = 10000;  // four digits
 
 [[noreturn]] void fail(const std::string& what) {
     throw support::Error(what + "; see --help");
@@ -52,15 +53,15 @@ void require_range(const std::string& option, double value, double least, double
     }
 }
 
-void parse_size(const std::string& text, int& width, int& height) {
+void parse_size(const std::string& option, const std::string& text, int& width, int& height) {
     char rest = 0;
     long w = 0;
     long h = 0;
     if (text.size() > 20 || std::sscanf(text.c_str(), "%ldx%ld%c", &w, &h, &rest) != 2) {
-        fail("--size '" + text + "' is not understood; write it like 640x360");
+        fail(option + " '" + text + "' is not understood; write it like 640x360");
     }
     if (w < 1 || h < 1 || w > largest_size || h > largest_size) {
-        fail("--size " + text + " is out of range; give 1 to " + std::to_string(largest_size) +
+        fail(option + " " + text + " is out of range; give 1 to " + std::to_string(largest_size) +
              " pixels each way");
     }
     width = int(w);
@@ -72,16 +73,20 @@ void parse_size(const std::string& text, int& width, int& height) {
 std::optional<Options> parse_options(int count, char** arguments) {
     CLI::App app(
         "Renders a real landscape on a planet in its air, by OpenGL without a window, and computes the same\n"
-        "light on the CPU to compare. Writes an OpenEXR file and a PNG for each camera and sun elevation.");
+        "light on the CPU to compare. Writes an OpenEXR file and a PNG for each camera and sun elevation.\n"
+        "Or, with --window, lets you fly through it.");
     app.set_help_flag("--help", "Print this and stop");
 
     std::vector<std::string> camera_names;
     std::vector<double> sun_elevations = {20};
     std::vector<double> steps_of_map = {74, 93};
     std::string size = "640x360";
+    std::vector<std::string> window_sizes;
     std::string preset = "earth";
     std::string exposure = "auto";
-    std::string difference = "on";
+    std::string shafts = "none";
+    std::string glint = "microfacets";
+    std::string ground = "lambert";
     std::optional<double> east;
     std::optional<double> north;
     std::optional<double> altitude;
@@ -89,6 +94,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     std::optional<double> heading;
     std::optional<double> pitch;
     std::optional<double> fov;
+    double haze = 1;
     std::string method = "nodes";
     std::string tables = "diffuse";
     Options options{};
@@ -97,7 +103,24 @@ std::optional<Options> parse_options(int count, char** arguments) {
     options.sky_steps = 12;
     options.height_map = DEFERRED_HEIGHT_MAP;
     options.output = ".";
+    options.coarseness = 1;
+    options.frames = 100;
+    options.latitude = 36.3;
+    bool headless = false;
+    std::string sequence;
 
+    app.add_flag("--window", options.window,
+                 "Open a window on the first camera and sun; it says there which keys do what");
+    app.add_option("--coarseness", options.coarseness,
+                   "Pixels of the window each way that share one of the picture; 1 if not given");
+    app.add_option("--screenshot", options.screenshot,
+                   "PNG of the window in the last of its --frames, panel and all");
+    app.add_option("--window-sizes", window_sizes,
+                   "Sizes, WxH, that the window takes one after another in its --frames");
+    app.add_flag("--times", options.times, "Print how long each pass kept the GPU");
+    app.add_option("--nodes", options.world.nodes,
+                   "Samples in each lit piece of a ray: 4, 5, 6, 8, 10, 12, 16 or 24; 8 if not given")
+        ->check(CLI::IsMember(node_counts()));
     app.add_option("--camera", camera_names,
                    "One or several of " + names(named_cameras()) + "; ground if none is given");
     app.add_option("--east", east, "Camera east of the landscape's centre [km]");
@@ -111,6 +134,10 @@ std::optional<Options> parse_options(int count, char** arguments) {
                    "Sun above the horizontal under the camera [degrees], one or several; 20 if not given");
     app.add_option("--sun-azimuth", options.sun_azimuth,
                    "Sun clockwise from north [degrees]; 250 if not given");
+    app.add_option("--moon-elevation", options.settings.moon_elevation,
+                   "Moon above the horizontal under the camera [degrees]; 35 if not given");
+    app.add_option("--moon-azimuth", options.settings.moon_azimuth,
+                   "Moon clockwise from north [degrees]; 120 if not given");
     app.add_option(
            "--method", method,
            "Light of the air: nodes, a few samples where the light is, or marched, by even steps; nodes "
@@ -124,18 +151,54 @@ std::optional<Options> parse_options(int count, char** arguments) {
     app.add_option("--steps", options.steps, "Even steps along a view ray when marched; 40 if not given");
     app.add_option("--sky-steps", options.sky_steps,
                    "Even steps up from a surface, for its skylight, when marched; 12 if not given");
+    app.add_option(
+           "--shafts", shafts,
+           "Light shafts: none; march, by looks at the shadow maps along each ray; epipolar, by rays in half "
+           "planes through the sun; reference, in 800 even steps; none if not given")
+        ->check(CLI::IsMember(shaft_names()));
+    std::vector<Count> counts = counts_of(options.settings);
+    for (const Count& count_option : counts) {
+        app.add_option(count_option.option, *count_option.value,
+                       count_option.help + "; " + std::to_string(*count_option.value) + " if not given");
+    }
+    std::vector<Switch> switches = switches_of(options.settings);
+    switches.push_back({"--difference", "Compute the light on the CPU too and compare", &options.difference});
+    options.difference = true;
+    for (Switch& s : switches) {
+        s.word = *s.value ? "on" : "off";
+        app.add_option(s.option, s.word, s.help + ": on or off; " + s.word + " if not given")
+            ->check(CLI::IsMember({"on", "off"}));
+    }
+    app.add_option("--glint", glint,
+                   "Sunlight that surfaces mirror: microfacets or phong; microfacets if not given")
+        ->check(CLI::IsMember({"microfacets", "phong"}));
+    app.add_option("--ground", ground,
+                   "How ground scatters light: lambert or lommel-seeliger; lambert if not given")
+        ->check(CLI::IsMember({"lambert", "lommel-seeliger"}));
     app.add_option("--size", size, "Picture size, WxH; 640x360 if not given");
     app.add_option("--preset", preset, "Atmosphere, one of " + names(worlds()) + "; earth if not given");
+    app.add_option("--haze", haze, "Factor of the aerosol's coefficients; 1 if not given");
     app.add_option("--heightmap", options.height_map,
                    "Grey PNG (16 bits, a metre a level) or OpenEXR file (metres), north up");
     app.add_option("--heightmap-step", steps_of_map, "Its grid step east and north [m]; 74 93 if not given")
         ->expected(2);
+    app.add_flag("--headless", headless, "Without a window, which is so when --window is not given")
+        ->disable_flag_override();
+    app.add_option("--sequence", sequence,
+                   "Instead of single pictures a sequence of PNGs: flight (from 1 m to 1e8 m), day (24 hours "
+                   "at an equinox) or turntable (once around)")
+        ->check(CLI::IsMember(sequence_names()));
+    app.add_option("--frames", options.frames,
+                   "Pictures of the sequence, 100 if not given, or of a window before it closes");
+    app.add_option(
+        "--latitude", options.latitude,
+        "Where the day passes, or the window's sun, north of the equator [degrees]; 36.3 if not given");
+    app.add_option("--shaders", options.shaders,
+                   "Folder of this example's shaders, to try changed copies; the sources' own if not given");
     app.add_option("--output", options.output, "Folder of the pictures, made if missing; here if not given");
     app.add_option(
         "--exposure", exposure,
         "Factor before 1 - exp(-x), or auto, which follows each picture's mean; auto if not given");
-    app.add_option("--difference", difference,
-                   "on: compute the light on the CPU too and compare; off: do not; on if not given");
     app.add_option("--tolerance", options.tolerance,
                    "Fail when the largest relative difference is above this");
     try {
@@ -147,8 +210,18 @@ std::optional<Options> parse_options(int count, char** arguments) {
         fail(error.what());
     }
 
-    parse_size(size, options.width, options.height);
+    parse_size("--size", size, options.width, options.height);
+    for (const std::string& text : window_sizes) {
+        options.window_sizes.emplace_back();
+        parse_size("--window-sizes", text, options.window_sizes.back().first,
+                   options.window_sizes.back().second);
+    }
+    const int nodes = options.world.nodes;
     options.world = by_name(worlds(), preset, "preset");
+    options.world.nodes = nodes;
+    require_range("--haze", haze, 0, 100);
+    options.world.atmosphere.mie_scattering *= float(haze);
+    options.world.atmosphere.mie_absorption *= float(haze);
     if (camera_names.empty()) {
         camera_names = {"ground"};
     }
@@ -179,6 +252,8 @@ std::optional<Options> parse_options(int count, char** arguments) {
     }
     options.sun_elevations = sun_elevations;
     require_range("--sun-azimuth", options.sun_azimuth, -360, 360);
+    require_range("--moon-elevation", options.settings.moon_elevation, -90, 90);
+    require_range("--moon-azimuth", options.settings.moon_azimuth, -360, 360);
     options.tables =
         TableKind(std::find(table_names().begin(), table_names().end(), tables) - table_names().begin());
     // Nodes have all air in closed form: a table of transmittance is of use to the march alone.
@@ -197,10 +272,55 @@ std::optional<Options> parse_options(int count, char** arguments) {
         }
         require_range("--exposure", *options.exposure, 1e-6, 1e12);
     }
-    if (difference != "on" && difference != "off") {
-        fail("--difference '" + difference + "' is neither on nor off");
+    for (const Switch& s : switches) {
+        *s.value = s.word == "on";
     }
-    options.difference = difference == "on";
+    options.settings.phong = glint == "phong";
+    options.settings.lommel_seeliger = ground == "lommel-seeliger";
+    options.settings.shafts =
+        Shafts(std::find(shaft_names().begin(), shaft_names().end(), shafts) - shaft_names().begin());
+    for (const Count& count_option : counts) {
+        require_range(count_option.option, *count_option.value, count_option.least, count_option.most);
+    }
+    if (!sequence.empty()) {
+        options.sequence = SequenceKind(
+            std::find(sequence_names().begin(), sequence_names().end(), sequence) - sequence_names().begin());
+        require_range("--frames", options.frames, 1, most_frames);
+        if (options.cameras.size() > 1 || sun_elevations.size() > 1) {
+            fail("--sequence is of one camera and one sun; give one --camera and one --sun-elevation");
+        }
+    }
+    require_range("--latitude", options.latitude, -90, 90);
+    // What a sequence decides itself is not silently ignored.
+    const auto refuse = [&](bool when, const std::string& why, const std::vector<std::string>& given) {
+        for (const std::string& option : given) {
+            if (when && app.count(option) > 0) {
+                fail(option + " has no effect: " + why);
+            }
+        }
+    };
+    refuse(!options.sequence && !options.window, "it is for a --sequence or a --window", {"--frames"});
+    refuse(options.sequence != SequenceKind::day && !options.window, "it is for --sequence day or a --window",
+           {"--latitude"});
+    refuse(options.sequence == SequenceKind::day, "--sequence day moves the sun",
+           {"--sun-elevation", "--sun-azimuth"});
+    refuse(options.sequence == SequenceKind::flight, "--sequence flight moves the camera",
+           {"--altitude", "--height", "--pitch", "--fov"});
+    refuse(options.sequence.has_value(), "a --sequence is not computed on the CPU",
+           {"--difference", "--tolerance"});
+    refuse(options.window, "it is for pictures", {"--headless", "--sequence", "--difference", "--tolerance"});
+    if (options.window && app.count("--frames") > 0) {
+        require_range("--frames", options.frames, 1, most_frames);
+        options.window_frames = options.frames;
+    }
+    refuse(!options.window, "it is for a --window", {"--coarseness"});
+    require_range("--coarseness", options.coarseness, 1, largest_coarseness);
+    refuse(!options.window_frames, "it is for a --window with --frames", {"--screenshot", "--window-sizes"});
+    if (nodes != airlight::DefaultScene::nodes && options.difference && !options.window &&
+        !options.sequence) {
+        fail("the CPU has " + std::to_string(airlight::DefaultScene::nodes) +
+             " nodes: --nodes needs --difference off");
+    }
     if (options.tolerance) {
         require_range("--tolerance", *options.tolerance, 0, 1e6);
         if (!options.difference) {

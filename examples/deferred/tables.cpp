@@ -17,9 +17,15 @@ constexpr int diffuse_height = 16;
 constexpr int diffuse_orders = 5;
 constexpr int hillaire_size = 32;
 constexpr int scattering_orders = 4;
+// The passes bind their own textures below it.
+constexpr int first_table_unit = 8;
 
 template <typename Scene>
-AirTables baked(TableKind kind, const airlight::Atmosphere<float>& air) {
+AirTables baked(TableKind kind, const airlight::Atmosphere<float>& air,
+                const std::function<bool(double)>& tell) {
+    const auto rows_of = [&](const char* name) {
+        return tell ? support::Rows(tell) : support::Rows(std::string(name));
+    };
     AirTables out{};
     out.kind = kind;
     out.inscatter_shape.atmosphere = out.bruneton_shape.atmosphere = air;
@@ -28,9 +34,9 @@ AirTables baked(TableKind kind, const airlight::Atmosphere<float>& air) {
         out.slants = airlight::bake_slants<float, Scene>(air);
     } else if (kind == TableKind::hillaire) {
         out.hillaire = airlight::bake_hillaire<float, Scene>(air, hillaire_size, hillaire_size, {},
-                                                             support::Rows("Hillaire's table"));
+                                                             rows_of("Hillaire's table"));
     } else if (kind == TableKind::diffuse) {
-        const support::Rows rows("diffuse table");
+        const support::Rows rows = rows_of("diffuse table");
         rows.expect_passes(diffuse_orders);
         out.diffuse = airlight::bake_diffuse_table<float, Scene>(air, diffuse_width, diffuse_height,
                                                                  diffuse_orders, rows);
@@ -38,8 +44,8 @@ AirTables baked(TableKind kind, const airlight::Atmosphere<float>& air) {
         // Half of Bruneton's texels along the view and the altitude: half a minute instead of minutes.
         out.bruneton_shape.views = 64;
         out.bruneton_shape.altitudes = 16;
-        const support::Rows rows(kind == TableKind::bruneton ? "table of four dimensions"
-                                                             : "table of three dimensions");
+        const support::Rows rows =
+            rows_of(kind == TableKind::bruneton ? "table of four dimensions" : "table of three dimensions");
         rows.expect_passes(airlight::passes_of_bake(scattering_orders));
         out.scattering = kind == TableKind::bruneton
                              ? airlight::bake_scattering<Scene>(out.bruneton_shape, scattering_orders, rows)
@@ -64,9 +70,9 @@ const std::vector<std::string>& table_names() {
     return names;
 }
 
-AirTables bake_tables(TableKind kind, const World& world) {
-    return world.lorentzian_ozone ? baked<LorentzianScene>(kind, world.atmosphere)
-                                  : baked<airlight::DefaultScene>(kind, world.atmosphere);
+AirTables bake_tables(TableKind kind, const World& world, const std::function<bool(double)>& tell) {
+    return world.lorentzian_ozone ? baked<LorentzianScene>(kind, world.atmosphere, tell)
+                                  : baked<airlight::DefaultScene>(kind, world.atmosphere, tell);
 }
 
 GpuTables::GpuTables(const AirTables& tables)
@@ -88,9 +94,9 @@ GpuTables::GpuTables(const AirTables& tables)
 
 void GpuTables::bind(const support::Uniforms& program) const {
     for (std::size_t i = 0; i < textures_.size(); ++i) {
-        glActiveTexture(GLenum(GL_TEXTURE3 + i));
+        glActiveTexture(GLenum(GL_TEXTURE0 + first_table_unit + int(i)));
         glBindTexture(GL_TEXTURE_3D, textures_[i]);
-        program.set("table_" + std::to_string(i), int(3 + i));
+        program.set("table_" + std::to_string(i), first_table_unit + int(i));
     }
     program.set("scattering_size", scattering_size_);
 }

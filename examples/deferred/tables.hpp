@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,10 +36,12 @@ struct AirTables {
     airlight::ScatteringTables<float> scattering;
 };
 
-/// Bakes what the kind needs, on all cores and with a bar for what takes long.
-AirTables bake_tables(TableKind kind, const World& world);
+/// Bakes what the kind needs, on all cores and with a bar for what takes long; or, with `tell`, without a
+/// bar: it gets the share that is done, from several threads, and answers false to give up.
+AirTables bake_tables(TableKind kind, const World& world,
+                      const std::function<bool(double share)>& tell = nullptr);
 
-/// The same on the GPU, for shaders/tables.glsl: textures in the order of its samplers, from unit 3 on.
+/// The same on the GPU, for shaders/tables.glsl: textures in the order of its samplers.
 class GpuTables {
   public:
     explicit GpuTables(const AirTables& tables);

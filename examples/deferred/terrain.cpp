@@ -104,6 +104,13 @@ double Terrain::height(double east, double north) const {
     return upper * (1 - fy) + lower * fy;
 }
 
+double Terrain::radius() const {
+    const double heights =
+        10e3;  // no mountain is higher, nor lies the edge of the map that far below its centre
+    return heights + std::hypot(map_.columns / 2.0 * map_.step_east + margin,
+                                map_.rows / 2.0 * map_.step_north + margin);
+}
+
 TerrainMesh Terrain::mesh(double ground_radius, const glm::dvec3& camera_position) const {
     const int columns = map_.columns + 2 * margin_columns_;
     const int rows = map_.rows + 2 * margin_rows_;

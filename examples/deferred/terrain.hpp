@@ -54,6 +54,9 @@ class Terrain {
     /// Height of the ground above the sphere [m], `east` and `north` of the centre [m].
     double height(double east, double north) const;
 
+    /// All of it lies within this distance of its centre [m].
+    double radius() const;
+
     /// The triangles, with positions relative to a camera.
     TerrainMesh mesh(double ground_radius, const glm::dvec3& camera_position) const;
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "frame.hpp"
+#include "settings.hpp"
 #include "terrain.hpp"
 
 namespace deferred {
@@ -32,12 +33,14 @@ struct Picturing {
     bool marched;          ///< the air in steps, not by nodes
     int steps;             ///< of the air between the eye and the surface
     int sky_steps;         ///< of the sky above a surface, for its skylight
+    Settings settings;
 };
 
 /// A camera as the passes need it: positions relative to it.
 struct View {
     glm::dvec3 position;  ///< [m] from the landscape's centre at altitude 0
     double altitude;      ///< [m] above the ground sphere
+    double above_ground;  ///< [m] above the landscape
     Frame frame;
 };
 

@@ -1,5 +1,6 @@
 #include "support/gl_objects.hpp"
 
+#include <cstdio>
 #include <sstream>
 
 #include "support/error.hpp"
@@ -13,16 +14,41 @@ void delete_shader(GLuint name) {
 
 using Shader = GlName<delete_shader>;
 
-/// "2:17(5): error" or "2(17) : error" becomes "viewpoint.glsl:17...", for the logs of Mesa and NVIDIA.
+// Mesa 22 says source number 0 for most errors that are not of syntax. So lines carry the number too: line 17
+// of source 2 is compiled as line 200017.
+constexpr std::size_t lines_per_source = 100000;
+
+std::string with_sources_in_lines(const std::string& text) {
+    std::string result;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::size_t number = 0;
+        std::size_t source = 0;
+        if (std::sscanf(line.c_str(), "#line %zu %zu", &number, &source) == 2) {
+            line =
+                "#line " + std::to_string(source * lines_per_source + number) + " " + std::to_string(source);
+        }
+        result += line + "\n";
+    }
+    return result;
+}
+
+/// "2:200017(5): error" or "2(200017) : error" becomes "viewpoint.glsl:17...", for the logs of Mesa and
+/// NVIDIA.
 std::string with_file_names(const std::string& log, const std::vector<std::string>& names) {
     std::string text;
     std::istringstream lines(log);
     for (std::string line; std::getline(lines, line);) {
-        const std::size_t digits = line.find_first_not_of("0123456789");
-        const bool is_place = digits != std::string::npos && digits > 0 && digits < 6 &&
-                              (line[digits] == ':' || line[digits] == '(');
-        const std::size_t number = is_place ? std::stoul(line) : names.size();
-        text += (number < names.size() ? names[number] + line.substr(digits) : line) + "\n";
+        std::size_t source = 0;
+        std::size_t number = 0;
+        char separator = 0;
+        int length = 0;
+        if (std::sscanf(line.c_str(), "%zu%c%zu%n", &source, &separator, &number, &length) == 3 &&
+            (separator == ':' || separator == '(') && number / lines_per_source < names.size()) {
+            line = names[number / lines_per_source] + separator + std::to_string(number % lines_per_source) +
+                   line.substr(std::size_t(length));
+        }
+        text += line + "\n";
     }
     return text;
 }
@@ -86,7 +112,8 @@ Program link_program(const std::vector<ShaderSource>& sources) {
     for (const ShaderSource& source : sources) {
         shaders.emplace_back(glCreateShader(source.stage));
         const GLuint shader = shaders.back();
-        const char* const text = source.text.c_str();
+        const std::string numbered = with_sources_in_lines(source.text);
+        const char* const text = numbered.c_str();
         glShaderSource(shader, 1, &text, nullptr);
         glCompileShader(shader);
         GLint done = GL_FALSE;

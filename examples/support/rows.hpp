@@ -4,8 +4,10 @@
 
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "parallel.hpp"
 #include "progress.hpp"
@@ -23,6 +25,10 @@ class Rows {
         }
     }
 
+    /// Tells `tell` the share that is done, from several threads; when it answers false, the rows that are
+    /// left are passed over, and what was made is of no use.
+    explicit Rows(std::function<bool(double share)> tell) : tell_(std::move(tell)) {}
+
     void expect_passes(int passes) const {
         passes_ = passes;
         pass_ = 0;
@@ -32,6 +38,9 @@ class Rows {
     void operator()(int count, const Body& body) const {
         std::atomic<int> done{0};
         for_each_row(count, [&](int row) {
+            if (tell_ && !tell_((pass_ + double(done) / count) / passes_)) {
+                return;
+            }
             body(row);
             report(std::size_t(++done), std::size_t(count));
         });
@@ -51,6 +60,7 @@ class Rows {
 
   private:
     std::shared_ptr<ProgressBar> bar_;
+    std::function<bool(double)> tell_;
     mutable int passes_ = 1;
     mutable int pass_ = 0;
 };

@@ -106,7 +106,7 @@ std::string quoted(const std::string& text) {
 
 /// Opens the page and returns the document after its script has run.
 std::string dumped_page(const std::string& browser, const std::filesystem::path& folder) {
-    const std::string command = "timeout 300 " + quoted(browser) +
+    const std::string command = "timeout 900 " + quoted(browser) +
                                 " --headless --no-sandbox --disable-dev-shm-usage --use-angle=swiftshader"
                                 " --enable-unsafe-swiftshader --user-data-dir=" +
                                 quoted((folder / "profile").string()) + " --dump-dom " +

@@ -3,11 +3,10 @@
 #include "airlight/view_path.glsl"
 #include "airlight/viewpoint.glsl"
 
+#include "atmosphere_block.glsl"
 #include "frame.glsl"
 #include "ground.glsl"
 
-uniform airlight_Atmosphere atmosphere;
-uniform Frame frame;
 uniform bool vegetated;
 
 layout(location = 0) out vec4 out_albedo;  // and roughness

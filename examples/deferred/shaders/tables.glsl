@@ -10,7 +10,9 @@
 #define TABLES TABLES_NONE
 #endif
 
-uniform airlight_Atmosphere atmosphere;
+layout(std140) uniform AtmosphereBlock {
+    airlight_Atmosphere atmosphere;
+};
 uniform sampler3D table_0;
 uniform sampler3D table_1;
 uniform sampler3D table_2;

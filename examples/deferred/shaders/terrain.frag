@@ -6,7 +6,6 @@ in vec3 position;  // [m] from the camera
 in vec3 normal;
 in float height;
 
-uniform Frame frame;
 uniform float ground_radius;
 uniform vec3 bare_albedo;
 uniform bool vegetated;

@@ -5,55 +5,24 @@
 
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "layers.hpp"
 #include "support/image.hpp"
 
 namespace {
 
 const std::filesystem::path folder = PICTURE_FOLDER;
 
-class Layers {
-  public:
-    explicit Layers(const std::string& name) : image(support::read_exr(folder / (name + ".exr"))) {}
-
-    const std::vector<float>& channel(const std::string& name) const {
-        const support::ExrChannel* const found = support::find_channel(image, name);
-        if (found == nullptr) {
-            throw std::runtime_error("no channel " + name);
-        }
-        return found->pixels;
-    }
-
-    float mean(const std::string& name, int first_row, int end_row) const {
-        const std::vector<float>& pixels = channel(name);
-        double sum = 0;
-        for (int i = first_row * image.width; i < end_row * image.width; ++i) {
-            sum += double(pixels[std::size_t(i)]);
-        }
-        return float(sum / ((end_row - first_row) * image.width));
-    }
-
-    /// The lowest row without a surface in the picture's middle column.
-    int horizon() const {
-        const std::vector<float>& depth = channel("depth.Z");
-        int row = 0;
-        while (row + 1 < image.height &&
-               std::isinf(depth[std::size_t((row + 1) * image.width + image.width / 2)])) {
-            ++row;
-        }
-        return row;
-    }
-
-    support::ExrImage image;
-};
+Layers picture(const std::string& name) {
+    return Layers(folder / name);
+}
 
 }  // namespace
 
 TEST_CASE("the sky at noon is blue, and darkest overhead") {
-    const Layers noon("ground_sun+60");
+    const Layers noon = picture("ground_sun+60");
     const int horizon = noon.horizon();
     CHECK(noon.mean("radiance.B", 0, 4) > 2 * noon.mean("radiance.R", 0, 4));
     CHECK(noon.mean("radiance.R", 0, 4) < noon.mean("radiance.R", horizon - 4, horizon));
@@ -62,7 +31,7 @@ TEST_CASE("the sky at noon is blue, and darkest overhead") {
 TEST_CASE("the sky at sunset is red at the horizon and bluer above") {
     for (const char* name : {"ground_sun+1", "ground_sun-4", "10km_sun-4"}) {
         CAPTURE(name);
-        const Layers sunset(name);
+        const Layers sunset = picture(name);
         const int horizon = sunset.horizon();
         const float low =
             sunset.mean("radiance.R", horizon - 2, horizon) / sunset.mean("radiance.B", horizon - 2, horizon);
@@ -73,7 +42,7 @@ TEST_CASE("the sky at sunset is red at the horizon and bluer above") {
 }
 
 TEST_CASE("haze makes far ground bluer and brighter than near ground") {
-    const Layers view("10km_sun+60");
+    const Layers view = picture("10km_sun+60");
     const int horizon = view.horizon();
     const int height = view.image.height;
     const float far = view.mean("radiance.B", horizon + 2, horizon + 6);
@@ -82,15 +51,15 @@ TEST_CASE("haze makes far ground bluer and brighter than near ground") {
 }
 
 TEST_CASE("space above the limb is black, and deeper in it no air shines") {
-    const Layers orbit("orbit_sun+60");
+    const Layers orbit = picture("orbit_sun+60");
     CHECK(orbit.mean("radiance.R", 0, 8) == 0);  // exact: rays that miss the air
     CHECK(orbit.mean("radiance.B", 0, 8) == 0);
     CHECK(orbit.mean("radiance.B", orbit.image.height - 8, orbit.image.height) > 0);
 }
 
 TEST_CASE("ground that the planet hides sees no sunlight, but what little the air hands on") {
-    const Layers dusk("10km_sun-4");
-    const Layers night("10km_sun-19");
+    const Layers dusk = picture("10km_sun-4");
+    const Layers night = picture("10km_sun-19");
     const int height = night.image.height;
     CHECK(night.mean("radiance.R", height - 4, height) < 1e-9f);  // measured: 3e-11, by many scatterings
     // From -4 to -19 degrees twilight fades by more than a hundred thousand.
@@ -100,7 +69,7 @@ TEST_CASE("ground that the planet hides sees no sunlight, but what little the ai
 TEST_CASE("every pixel has either a surface with a unit normal, or none and infinite depth") {
     for (const char* name : {"ground_sun+20", "valley_sun+20", "10km_sun+20", "orbit_sun+20"}) {
         CAPTURE(name);
-        const Layers view(name);
+        const Layers view = picture(name);
         const std::vector<float>& depth = view.channel("depth.Z");
         int surfaces = 0;
         for (std::size_t i = 0; i < depth.size(); ++i) {
@@ -126,7 +95,7 @@ TEST_CASE("every pixel has either a surface with a unit normal, or none and infi
 TEST_CASE("below the horizon no pixel misses the ground: the landscape's edge is closed") {
     for (const char* name : {"ground_sun+20", "valley_sun+20", "10km_sun+20", "orbit_sun+20"}) {
         CAPTURE(name);
-        const Layers view(name);
+        const Layers view = picture(name);
         const std::vector<float>& depth = view.channel("depth.Z");
         for (int x = 0; x < view.image.width; ++x) {
             bool below = false;
@@ -140,7 +109,7 @@ TEST_CASE("below the horizon no pixel misses the ground: the landscape's edge is
 }
 
 TEST_CASE("the files say their units") {
-    const Layers view("ground_sun+20");
+    const Layers view = picture("ground_sun+20");
     for (const char* name : {"radianceUnits", "depthUnits", "normalUnits", "albedoUnits"}) {
         CHECK(view.image.attributes.count(name) == 1);
     }
@@ -148,9 +117,9 @@ TEST_CASE("the files say their units") {
 
 TEST_CASE("each picture is there for people too, with its difference") {
     for (const char* ending : {".png", ".difference.png"}) {
-        const support::Picture picture =
+        const support::Picture shown =
             support::read_picture_png(folder / (std::string("valley_sun+60") + ending));
-        CHECK(picture.width == 96);
-        CHECK(picture.height == 54);
+        CHECK(shown.width == 96);
+        CHECK(shown.height == 54);
     }
 }
