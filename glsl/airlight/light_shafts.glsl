@@ -232,7 +232,7 @@ airlight_ShaftPiece airlight_shaft_piece(airlight_ShaftRay shaft, vec3 before, v
 // Units:    x and result [1].
 // Shape:    the result is a spectrum.
 // Domain:   x from 0, the near end, to 1, the far end.
-// Accuracy: 1e-3 of the whole ray's light with 8 pieces (light_lost_in_shadow); at the ends exact.
+// Accuracy: that of light_lost_in_shadow where all is dark; at the ends exact.
 // Errors:   none; within a rounding of the shares at the ends.
 // Source:   cubic Hermite interpolation.
 vec3 airlight_source_share(airlight_ShaftPiece piece, float x) {
@@ -274,10 +274,10 @@ vec3 airlight_light_between(airlight_ShaftRay shaft, airlight_ShaftPiece piece, 
 // either: in the planet's own shadow there is no light to lose. Where all is lost, the difference may come
 // out below 0 by the errors of both: the caller takes its max with 0.
 //
-// Errors in % of the ray's whole light, in half and 95 % of 2640 cases: eyes to 10 km, suns from 60 degrees
-// to the horizon, surfaces 1 to 100 km off and sky; half spaces, single shafts and rows of shafts of 50 m to
-// 5 km. Nearly all of it is edges of shadow that fall between looks; the first column, where all is dark,
-// has none, and the last is the mean of 16 offsets.
+// Errors in % of the ray's whole light, below which half and 95 % of 3120 cases are: eyes to 10 km, suns
+// from 60 degrees to the horizon, surfaces 1 to 100 km off and sky; half spaces, single shafts and rows of
+// shafts of 50 m to 5 km. Nearly all of it is edges of shadow that fall between looks: where all is dark
+// there are none, and few are left in the mean of 16 offsets. Sources are how often the air is looked at.
 //
 //     pieces x looks   all dark, 95 %   shadows, half   95 %   offsets' mean, 95 %   sources   time
 //     4 x 4                 1.9              1.7         16            1.6              5      0.005
@@ -293,7 +293,9 @@ vec3 airlight_light_between(airlight_ShaftRay shaft, airlight_ShaftPiece piece, 
 // Shape:    the result is a spectrum.
 // Domain:   that of single_scattering; range >= 0, no_surface() for none; offset in [0, 1]; visibility in
 //           [0, 1].
-// Accuracy: the table's; for eyes from 10 to 90 km and in space up to three times that. Float as double.
+// Accuracy: the table's; with 8 pieces or more up to five times that for eyes from 10 km to space. Float is
+// as
+//           good as double.
 // Errors:   none; without air, or with pieces or looks below 1, 0. Never more than the ray can scatter.
 // Source:   docs/theory/nodes.md for the source; cubic Hermite interpolation of its logarithm.
 vec3 airlight_light_lost_in_shadow(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,

@@ -48,6 +48,44 @@ struct ByNodes {
     static constexpr bool has_columns = true;
 };
 
+/// What is dark where another hook lets light through.
+template <typename Visibility>
+struct Opposite {
+    Visibility visibility;
+
+    template <typename T>
+    T operator()(const airlight::vec3<T>& position) const {
+        return T(1) - visibility(position);
+    }
+};
+
+/// light_lost_in_shadow as an integrator: a shadow that leaves dark what is lit takes the light of a ray.
+struct ByShafts {
+    int pieces;
+    int looks;
+
+    template <typename T, typename Scene, typename Visibility>
+    airlight::Scattered<T> view(const airlight::Atmosphere<T>& air, const airlight::Viewpoint<T>& eye,
+                                const airlight::vec3<T>& direction, const airlight::vec3<T>& to_sun,
+                                T distance, const Visibility& visibility) const {
+        using namespace airlight;
+        const vec3<T> lost =
+            light_lost_in_shadow<T, Scene>(air, eye, direction, to_sun, distance, no_surface<T>(), pieces,
+                                           looks, T(0.5), Opposite<Visibility>{visibility});
+        const AirRay<T> ray = air_ray(air, eye, direction, distance);
+        if (!ray.in_air) {
+            return Scattered<T>{lost, vec3<T>(T(1), T(1), T(1))};
+        }
+        const LitRay<T> lit = lit_ray<T, Scene>(air, ray, eye, direction, to_sun);
+        return Scattered<T>{lost,
+                            glm::exp(-depth_of_any_legs<T, Scene>(air, lit, ray_legs<T, Scene>(air, lit)))};
+    }
+    /// Docstring of most_scattered.
+    static constexpr long double energy_excess = 0.03L;
+    /// A transmittance is none of its results, only what the most of its light follows from.
+    static constexpr bool has_columns = false;
+};
+
 /// Hook: no sunlight reaches any sample.
 struct Eclipse {
     template <typename T>

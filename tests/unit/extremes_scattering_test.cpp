@@ -114,6 +114,13 @@ TEST_CASE_TEMPLATE("nodes keep their promises where eye, view and sun stand in t
     corner_views<T>("8 nodes", ByNodes<8>{});
 }
 
+TEST_CASE_TEMPLATE("shadows keep those promises", T, float, double, long double) {
+    any_view<T>("a shadow of 1 look", ByShafts{1, 1}, 12000);
+    any_view<T>("a shadow of 3 x 2 looks", ByShafts{3, 2}, 12000);
+    any_view<T>("a shadow of 8 x 4 looks", ByShafts{8, 4}, 6000);
+    corner_views<T>("a shadow of 4 x 2 looks", ByShafts{4, 2});
+}
+
 TEST_CASE("sky and sun together light the ground with no more than the sun's light") {
     Atmosphere<double> flat = earth<double>();
     flat.ground_radius = 7e7;

@@ -8,9 +8,8 @@
 #include <airlight/light_shafts.hpp>
 
 #include "error_metrics.hpp"
-#include "extremes.hpp"
-#include "promises.hpp"
 #include "samplers.hpp"
+#include "scattering_promises.hpp"
 #include "scenes.hpp"
 #include "story.hpp"
 #include "views.hpp"
@@ -50,17 +49,6 @@ struct Ridge {
     }
 };
 
-/// What another hook leaves dark.
-template <typename Shadow>
-struct Opposite {
-    Shadow shadow;
-
-    template <typename T>
-    T operator()(const vec3<T>& position) const {
-        return T(1) - shadow(position);
-    }
-};
-
 template <typename Scene, typename T, typename Shadow>
 vec3<T> lost(const Atmosphere<T>& air, const View<T>& view, T range, int pieces, int looks,
              const Shadow& shadow, T offset = T(0.5)) {
@@ -82,13 +70,13 @@ double luminance(const vec3<double>& light) {
 
 /// Eyes from the ground to 10 km, a sun from 60 degrees to the horizon, surfaces 1 km to 100 km off and sky.
 View<double> day_view(Random& random) {
-    const double altitudes[] = {0, 2, 100, 1000, 3000, 10000};
+    const double altitudes[] = {0, 2, 100, 1000, 3000, 10000};  // from 0 there is no air below
     const double suns[] = {60, 30, 15, 8, 4, 1, 0};
     View<double> view;
     view.eye = standing(altitudes[random.below(6)]);
     const double elevation = suns[random.below(7)];
     view.to_sun = slope<double>(elevation, random.uniform(0, 180));
-    const bool sky = random.below(3) == 0;
+    const bool sky = random.below(3) == 0 || view.eye.altitude == 0;
     view.direction = slope<double>(sky ? random.uniform(0.5, 60) : random.uniform(-6, 3));
     view.distance = sky ? no_surface<double>() : random.log_uniform(1e3, 1e5);
     return view;
@@ -404,13 +392,11 @@ TEST_CASE_TEMPLATE("stretches that are dark as a whole cost two looks each", T, 
     const Atmosphere<T> air = earth<T>();
     Random random(619);
     double worst = 0;
+    double worst_parts = 0;
     for (int i = 0; i < 100; ++i) {
         const View<T> view = as<T>(day_view(random));
         const T none = no_surface<T>();
         const AirRay<T> ray = air_ray(air, view.eye, view.direction, view.distance);
-        if (!ray.in_air) {
-            continue;  // down from the ground
-        }
         const ShaftRay<T> shaft = shaft_ray<T>(air, ray, view.eye, view.direction, view.to_sun);
         const int pieces = 8;
         std::vector<vec3<T>> depths;
@@ -420,6 +406,7 @@ TEST_CASE_TEMPLATE("stretches that are dark as a whole cost two looks each", T, 
         }
         const double cut = random.unit();
         vec3<T> whole = vec3<T>(T(0));
+        vec3<T> apart = vec3<T>(T(0));
         T end = T(0);
         for (int k = 0; k < pieces; ++k) {
             const ShaftPiece<T> piece =
@@ -432,10 +419,8 @@ TEST_CASE_TEMPLATE("stretches that are dark as a whole cost two looks each", T, 
             const vec3<T> parts =
                 light_between(shaft, piece, T(0), T(cut)) + light_between(shaft, piece, T(cut), T(1));
             whole += all;
+            apart += glm::abs(parts - all);
             for (int c = 0; c < 3; ++c) {
-                // Modelling: Gauss's rule over a piece against over its parts.
-                CHECK_UNARY(std::fabs(static_cast<double>(parts[c] - all[c])) <=
-                            0.03 * static_cast<double>(all[c]));
                 // The source never leaves what it is at the ends.
                 const T near = std::exp(-piece.near_depth[c]);
                 const T far = std::exp(-piece.far_depth[c]);
@@ -448,9 +433,13 @@ TEST_CASE_TEMPLATE("stretches that are dark as a whole cost two looks each", T, 
         }
         const vec3<T> expected = lost<DefaultScene>(air, view, none, pieces, 32, Shaded{0.0});
         worst = std::fmax(worst, worst_ratio(vec3<double>(whole - expected), vec3<double>(expected)));
+        worst_parts = std::fmax(worst_parts, worst_ratio(vec3<double>(apart), vec3<double>(whole)));
     }
-    std::printf("eight stretches of two looks against 256 looks: %.2g\n", worst);
-    CHECK(worst <= 0.02);  // modelling: Gauss's rule over whole pieces
+    std::printf("eight stretches of two looks against 256 looks: %.2g; against sixteen: %.2g\n", worst,
+                worst_parts);
+    // Modelling: Gauss's rule over whole pieces.
+    CHECK(worst <= 0.02);
+    CHECK(worst_parts <= 0.02);
 }
 
 TEST_CASE_TEMPLATE("beyond the range, without air and without looks nothing is lost", T, float, double,
@@ -490,38 +479,6 @@ TEST_CASE_TEMPLATE("a few metres of air lose their light in float, too", T, floa
             CHECK(std::fabs(static_cast<double>(got[c] / expected[c] - T(1))) <= 1e-4);
         }
     }
-}
-
-TEST_CASE_TEMPLATE("for any air, eye and sun the lost light is an amount, and no more than the ray scatters",
-                   T, float, double, long double) {
-    Random random(620);
-    Verdict all;
-    for (int i = 0; i < 20000; ++i) {
-        const Atmosphere<T> air = any_atmosphere<T>(random);
-        const Viewpoint<T> eye = any_viewpoint<T>(random, air);
-        const vec3<T> direction = any_direction<T>(random, air, eye);
-        const vec3<T> to_sun = any_sun<T>(random, air, eye, direction);
-        const T distance = any_distance<T>(random);
-        const T range = any_distance<T>(random);
-        const int pieces = 1 + random.below(9);
-        const int looks = 1 + random.below(5);
-        const T offset = T(random.unit());
-        const vec3<T> got = light_lost_in_shadow<T>(air, eye, direction, to_sun, distance, range, pieces,
-                                                    looks, offset, Shaded{0.0});
-        all.holds("lost light is an amount", is_amount(got));
-        const AirRay<T> ray = air_ray(air, eye, direction, glm::min(distance, range));
-        if (ray.in_air) {
-            const ShaftRay<T> shaft = shaft_ray<T>(air, ray, eye, direction, to_sun);
-            all.holds("the bound is an amount", is_amount(shaft.most));
-            for (int c = 0; c < 3; ++c) {
-                all.holds("no more than the bound", got[c] <= shaft.most[c]);
-            }
-        } else {
-            all.holds("no air, no light", got == vec3<T>(T(0)));
-        }
-    }
-    all.print((std::string("light shafts, ") + type_name<T>()).c_str());
-    CHECK_MESSAGE(all.kept(), all.story());
 }
 
 TEST_CASE_TEMPLATE("a term that is off equals its coefficients set to zero", T, float, double) {
