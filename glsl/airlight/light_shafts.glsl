@@ -15,7 +15,6 @@
 // What the planet's own shadow covers is taken out of it: places on it are counted along what is left, its
 // lit length.
 struct airlight_ShaftRay {
-    airlight_LitRay ray;    // the ray itself
     airlight_RayLegs legs;  // of the ray
     float lit_length;       // [L] of the stretch in the air, less what the planet's shadow covers
     float night;         // [L] lit length before the planet's shadow; beyond the ray where none is behind it
@@ -66,13 +65,12 @@ vec3 airlight_depth_of_any_legs(airlight_Atmosphere atmosphere, airlight_LitRay 
 // ray comes closest to the ground.
 //
 // Units:    those of single_scattering.
-// Domain:   that of single_scattering; air is air_ray's, and in the air.
+// Domain:   that of single_scattering; ray is lit_ray's, and in the air.
 // Accuracy: that of its parts.
 // Errors:   none.
-// Source:   lit_ray, ray_legs, shadow_span, most_scattered.
-airlight_ShaftRay airlight_shaft_ray(airlight_Atmosphere atmosphere, airlight_AirRay air,
-                                     airlight_Viewpoint eye, vec3 direction, vec3 to_sun) {
-    airlight_LitRay ray = airlight_lit_ray(atmosphere, air, eye, direction, to_sun);
+// Source:   ray_legs, shadow_span, most_scattered.
+airlight_ShaftRay airlight_shaft_ray(airlight_Atmosphere atmosphere, airlight_LitRay ray) {
+    airlight_AirRay air = ray.air;
     airlight_RayLegs legs = airlight_ray_legs(atmosphere, ray);
     airlight_LineSpan dark = airlight_LineSpan(0.0, 0.0);
 #if AIRLIGHT_PLANET_SHADOW
@@ -88,8 +86,7 @@ airlight_ShaftRay airlight_shaft_ray(airlight_Atmosphere atmosphere, airlight_Ai
     // The thousandth of the whole keeps the share defined where all of the ray is dark.
     float focus = clamp(1.0 - 4.0 * thinner, 0.0, 1.0) * (turn / (lit_length + 1e-3 * extent));
     vec3 depth = airlight_depth_of_any_legs(atmosphere, ray, legs);
-    return airlight_ShaftRay(ray,
-                             legs,
+    return airlight_ShaftRay(legs,
                              lit_length,
                              dawns ? begin : 2.0 * extent,
                              dawns ? end - begin : 0.0,
@@ -146,19 +143,19 @@ float airlight_depth_of_share(float part, float whole) {
 //
 // Units:    lit [L]; result [1].
 // Shape:    the result is a spectrum.
-// Domain:   lit from 0 to shaft.lit_length.
+// Domain:   shaft is the ray's shaft_ray; lit from 0 to its lit_length.
 // Accuracy: that of node_radiance.
 // Errors:   none; a source below 1e-20 of the brightest counts as that.
 // Source:   node_radiance.
-vec3 airlight_source_depth(airlight_Atmosphere atmosphere, airlight_ShaftRay shaft, float lit) {
+vec3 airlight_source_depth(airlight_Atmosphere atmosphere, airlight_LitRay ray, airlight_ShaftRay shaft,
+                           float lit) {
     float t = airlight_shaft_distance(shaft, lit);
-    float along = shaft.ray.air.along + t;
-    float altitude = max(
-        airlight_altitude_along_ray(atmosphere.ground_radius, shaft.ray.air.altitude, shaft.ray.air.along, t),
-        0.0);
-    airlight_Density density = airlight_layer_density(shaft.ray.layers, altitude);
+    float along = ray.air.along + t;
+    float altitude =
+        max(airlight_altitude_along_ray(atmosphere.ground_radius, ray.air.altitude, ray.air.along, t), 0.0);
+    airlight_Density density = airlight_layer_density(ray.layers, altitude);
     bool climbs = along > 0.0;
-    vec3 source = airlight_node_radiance(atmosphere, shaft.ray, airlight_leg_offset(shaft.legs, climbs),
+    vec3 source = airlight_node_radiance(atmosphere, ray, airlight_leg_offset(shaft.legs, climbs),
                                          climbs ? 1.0 : -1.0, altitude, abs(along), density);
     return vec3(airlight_depth_of_share(source.x, shaft.brightest.x),
                 airlight_depth_of_share(source.y, shaft.brightest.y),
@@ -306,17 +303,18 @@ vec3 airlight_light_lost_in_shadow(airlight_Atmosphere atmosphere, airlight_View
     if (!air.in_air || pieces < 1 || looks < 1) {
         return lost;
     }
-    airlight_ShaftRay shaft = airlight_shaft_ray(atmosphere, air, eye, direction, to_sun);
+    airlight_LitRay ray = airlight_lit_ray(atmosphere, air, eye, direction, to_sun);
+    airlight_ShaftRay shaft = airlight_shaft_ray(atmosphere, ray);
     float cell = 1.0 / float(looks);  // of each look in its piece
     vec3 before = lost;
-    vec3 here = airlight_source_depth(atmosphere, shaft, 0.0);
+    vec3 here = airlight_source_depth(atmosphere, ray, shaft, 0.0);
     vec3 next =
-        airlight_source_depth(atmosphere, shaft,
+        airlight_source_depth(atmosphere, ray, shaft,
                               shaft.lit_length * airlight_shaft_piece_end(shaft, 1, pieces));
     for (int i = 0; i < pieces; ++i) {
         vec3 after = next;
         if (i + 1 < pieces) {
-            after = airlight_source_depth(atmosphere, shaft,
+            after = airlight_source_depth(atmosphere, ray, shaft,
                                           shaft.lit_length * airlight_shaft_piece_end(shaft, i + 2, pieces));
         }
         airlight_ShaftPiece piece = airlight_shaft_piece(shaft, before, here, next, after, i, pieces);

@@ -10,7 +10,6 @@ namespace airlight {
 /// lit length.
 template <typename T>
 struct ShaftRay {
-    LitRay<T> ray;      ///< the ray itself
     RayLegs<T> legs;    ///< of the ray
     T lit_length;       ///< [L] of the stretch in the air, less what the planet's shadow covers
     T night;            ///< [L] lit length before the planet's shadow; beyond the ray where none is behind it
@@ -63,14 +62,13 @@ vec3<T> depth_of_any_legs(const Atmosphere<T>& atmosphere, const LitRay<T>& ray,
 /// ray comes closest to the ground.
 ///
 /// Units:    those of single_scattering.
-/// Domain:   that of single_scattering; air is air_ray's, and in the air.
+/// Domain:   that of single_scattering; ray is lit_ray's, and in the air.
 /// Accuracy: that of its parts.
 /// Errors:   none.
-/// Source:   lit_ray, ray_legs, shadow_span, most_scattered.
+/// Source:   ray_legs, shadow_span, most_scattered.
 template <typename T, typename Scene = DefaultScene>
-ShaftRay<T> shaft_ray(const Atmosphere<T>& atmosphere, const AirRay<T>& air, const Viewpoint<T>& eye,
-                      const vec3<T>& direction, const vec3<T>& to_sun) {
-    const LitRay<T> ray = lit_ray<T, Scene>(atmosphere, air, eye, direction, to_sun);
+ShaftRay<T> shaft_ray(const Atmosphere<T>& atmosphere, const LitRay<T>& ray) {
+    const AirRay<T> air = ray.air;
     const RayLegs<T> legs = ray_legs<T, Scene>(atmosphere, ray);
     LineSpan<T> dark = LineSpan<T>{T(0), T(0)};
     if constexpr (Scene::planet_shadow) {
@@ -86,8 +84,7 @@ ShaftRay<T> shaft_ray(const Atmosphere<T>& atmosphere, const AirRay<T>& air, con
     // The thousandth of the whole keeps the share defined where all of the ray is dark.
     const T focus = glm::clamp(T(1) - T(4) * thinner, T(0), T(1)) * (turn / (lit_length + T(1e-3L) * extent));
     const vec3<T> depth = depth_of_any_legs<T, Scene>(atmosphere, ray, legs);
-    return ShaftRay<T>{ray,
-                       legs,
+    return ShaftRay<T>{legs,
                        lit_length,
                        dawns ? begin : T(2) * extent,
                        dawns ? end - begin : T(0),
@@ -147,19 +144,19 @@ T depth_of_share(T part, T whole) {
 ///
 /// Units:    lit [L]; result [1].
 /// Shape:    the result is a spectrum.
-/// Domain:   lit from 0 to shaft.lit_length.
+/// Domain:   shaft is the ray's shaft_ray; lit from 0 to its lit_length.
 /// Accuracy: that of node_radiance.
 /// Errors:   none; a source below 1e-20 of the brightest counts as that.
 /// Source:   node_radiance.
 template <typename T, typename Scene = DefaultScene>
-vec3<T> source_depth(const Atmosphere<T>& atmosphere, const ShaftRay<T>& shaft, T lit) {
+vec3<T> source_depth(const Atmosphere<T>& atmosphere, const LitRay<T>& ray, const ShaftRay<T>& shaft, T lit) {
     const T t = shaft_distance(shaft, lit);
-    const T along = shaft.ray.air.along + t;
-    const T altitude = glm::max(
-        altitude_along_ray(atmosphere.ground_radius, shaft.ray.air.altitude, shaft.ray.air.along, t), T(0));
-    const Density<T> density = layer_density<T, Scene>(shaft.ray.layers, altitude);
+    const T along = ray.air.along + t;
+    const T altitude =
+        glm::max(altitude_along_ray(atmosphere.ground_radius, ray.air.altitude, ray.air.along, t), T(0));
+    const Density<T> density = layer_density<T, Scene>(ray.layers, altitude);
     const bool climbs = along > T(0);
-    const vec3<T> source = node_radiance<T, Scene>(atmosphere, shaft.ray, leg_offset(shaft.legs, climbs),
+    const vec3<T> source = node_radiance<T, Scene>(atmosphere, ray, leg_offset(shaft.legs, climbs),
                                                    climbs ? T(1) : T(-1), altitude, glm::abs(along), density);
     return vec3<T>(depth_of_share(source.x, shaft.brightest.x), depth_of_share(source.y, shaft.brightest.y),
                    depth_of_share(source.z, shaft.brightest.z));
@@ -311,16 +308,17 @@ vec3<T> light_lost_in_shadow(const Atmosphere<T>& atmosphere, const Viewpoint<T>
     if (!air.in_air || pieces < 1 || looks < 1) {
         return lost;
     }
-    const ShaftRay<T> shaft = shaft_ray<T, Scene>(atmosphere, air, eye, direction, to_sun);
+    const LitRay<T> ray = lit_ray<T, Scene>(atmosphere, air, eye, direction, to_sun);
+    const ShaftRay<T> shaft = shaft_ray<T, Scene>(atmosphere, ray);
     const T cell = T(1) / T(looks);  // of each look in its piece
     vec3<T> before = lost;
-    vec3<T> here = source_depth<T, Scene>(atmosphere, shaft, T(0));
+    vec3<T> here = source_depth<T, Scene>(atmosphere, ray, shaft, T(0));
     vec3<T> next =
-        source_depth<T, Scene>(atmosphere, shaft, shaft.lit_length * shaft_piece_end(shaft, 1, pieces));
+        source_depth<T, Scene>(atmosphere, ray, shaft, shaft.lit_length * shaft_piece_end(shaft, 1, pieces));
     for (int i = 0; i < pieces; ++i) {
         vec3<T> after = next;
         if (i + 1 < pieces) {
-            after = source_depth<T, Scene>(atmosphere, shaft,
+            after = source_depth<T, Scene>(atmosphere, ray, shaft,
                                            shaft.lit_length * shaft_piece_end(shaft, i + 2, pieces));
         }
         const ShaftPiece<T> piece = shaft_piece(shaft, before, here, next, after, i, pieces);

@@ -341,7 +341,7 @@ TEST_CASE_TEMPLATE("a ray that leaves the planet's shadow again has light on bot
     const T none = no_surface<T>();
     const View<T> limb = {standing(T(60e3L)), slope<T>(-5.5), slope<T>(-7, 90), none};
     const AirRay<T> ray = air_ray(air, limb.eye, limb.direction, none);
-    const ShaftRay<T> shaft = shaft_ray<T>(air, ray, limb.eye, limb.direction, limb.to_sun);
+    const ShaftRay<T> shaft = shaft_ray<T>(air, lit_ray<T>(air, ray, limb.eye, limb.direction, limb.to_sun));
     REQUIRE(shaft.night_length > T(1e5L));
     REQUIRE(shaft.night > T(1e4L));
     REQUIRE(shaft.lit_length > shaft.night);
@@ -397,12 +397,13 @@ TEST_CASE_TEMPLATE("stretches that are dark as a whole cost two looks each", T, 
         const View<T> view = as<T>(day_view(random));
         const T none = no_surface<T>();
         const AirRay<T> ray = air_ray(air, view.eye, view.direction, view.distance);
-        const ShaftRay<T> shaft = shaft_ray<T>(air, ray, view.eye, view.direction, view.to_sun);
+        const LitRay<T> lit = lit_ray<T>(air, ray, view.eye, view.direction, view.to_sun);
+        const ShaftRay<T> shaft = shaft_ray<T>(air, lit);
         const int pieces = 8;
         std::vector<vec3<T>> depths;
         for (int k = 0; k <= pieces; ++k) {
             depths.push_back(
-                source_depth<T>(air, shaft, shaft.lit_length * shaft_piece_end(shaft, k, pieces)));
+                source_depth<T>(air, lit, shaft, shaft.lit_length * shaft_piece_end(shaft, k, pieces)));
         }
         const double cut = random.unit();
         vec3<T> whole = vec3<T>(T(0));

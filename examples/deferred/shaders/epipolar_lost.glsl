@@ -24,10 +24,11 @@ vec3 light_lost_in_slice(airlight_Viewpoint eye, vec3 direction, vec3 to_sun, fl
     float slope = along / across;
     int levels = findMSB(columns);
 
-    airlight_ShaftRay shaft = airlight_shaft_ray(atmosphere, air, eye, direction, to_sun);
+    airlight_LitRay ray = airlight_lit_ray(atmosphere, air, eye, direction, to_sun);
+    airlight_ShaftRay shaft = airlight_shaft_ray(atmosphere, ray);
     vec3 before = lost;
-    vec3 here = airlight_source_depth(atmosphere, shaft, 0.0);
-    vec3 next = airlight_source_depth(atmosphere, shaft,
+    vec3 here = airlight_source_depth(atmosphere, ray, shaft, 0.0);
+    vec3 next = airlight_source_depth(atmosphere, ray, shaft,
                                       shaft.lit_length * airlight_shaft_piece_end(shaft, 1, pieces));
     int column = 0;
     int level = 0;
@@ -35,7 +36,7 @@ vec3 light_lost_in_slice(airlight_Viewpoint eye, vec3 direction, vec3 to_sun, fl
         vec3 after = next;
         if (i + 1 < pieces) {
             after = airlight_source_depth(
-                atmosphere, shaft, shaft.lit_length * airlight_shaft_piece_end(shaft, i + 2, pieces));
+                atmosphere, ray, shaft, shaft.lit_length * airlight_shaft_piece_end(shaft, i + 2, pieces));
         }
         airlight_ShaftPiece piece = airlight_shaft_piece(shaft, before, here, next, after, i, pieces);
         float begin = air.begin + airlight_shaft_distance(shaft, piece.begin);

@@ -6,11 +6,10 @@
 
 namespace parity {
 
-/// Atmosphere and a ray in its air, ready for shadows.
+/// Atmosphere, a ray in its air, and what makes it ready for shadows.
 static auto shaft(Draw& draw) {
-    const auto inputs = ray_in_air(draw);
-    const auto ray = std::apply([](const auto&... x) { return airlight::shaft_ray<float>(x...); }, inputs);
-    return std::make_tuple(std::get<0>(inputs), ray);
+    const auto [atmosphere, ray, t] = point_of_ray(draw);
+    return std::make_tuple(atmosphere, ray, airlight::shaft_ray<float>(atmosphere, ray));
 }
 
 static const bool depth_of_any_legs_row =
@@ -27,20 +26,21 @@ static const bool depth_of_any_legs_row =
 
 static const bool shaft_ray_row =
     row("shaft_ray")
-        .inputs(ray_in_air)
+        .inputs([](Draw& draw) {
+            const auto [atmosphere, ray, t] = point_of_ray(draw);
+            return std::make_tuple(atmosphere, ray);
+        })
         .left_out(0.4, 0.1, grazing)  // of rays in the air, where of all views a third have none
-        .cpu([](auto run, const auto& atmosphere, const auto& air, const auto& eye, const auto& direction,
-                const auto& to_sun) {
+        .cpu([](auto run, const auto& atmosphere, const auto& ray) {
             using R = decltype(run);
-            return airlight::shaft_ray<typename R::T, typename R::Scene>(atmosphere, air, eye, direction,
-                                                                         to_sun);
+            return airlight::shaft_ray<typename R::T, typename R::Scene>(atmosphere, ray);
         })
         .within_bound();
 
 static const bool shaft_distance_row =
     row("shaft_distance")
         .inputs([](Draw& draw) {
-            const auto [atmosphere, ray] = shaft(draw);
+            const auto [atmosphere, lit, ray] = shaft(draw);
             return std::make_tuple(ray, ray.lit_length * draw.number(0.01F, 1.0F));
         })
         .cpu([](const auto& ray, auto lit) { return airlight::shaft_distance(ray, lit); })
@@ -49,7 +49,7 @@ static const bool shaft_distance_row =
 static const bool shaft_piece_end_row =
     row("shaft_piece_end")
         .inputs([](Draw& draw) {
-            const auto [atmosphere, ray] = shaft(draw);
+            const auto [atmosphere, lit, ray] = shaft(draw);
             const int pieces = draw.one_of({1, 2, 8, 50});
             return std::make_tuple(ray, draw.one_of({0, 1, pieces / 2, pieces}), pieces);
         })
@@ -68,13 +68,13 @@ static const bool depth_of_share_row =
 static const bool source_depth_row =
     row("source_depth")
         .inputs([](Draw& draw) {
-            const auto [atmosphere, ray] = shaft(draw);
-            return std::make_tuple(atmosphere, ray, ray.lit_length * draw.number(0.01F, 1.0F));
+            const auto [atmosphere, lit, ray] = shaft(draw);
+            return std::make_tuple(atmosphere, lit, ray, ray.lit_length * draw.number(0.01F, 1.0F));
         })
         .left_out(0.35, 0.1, grazing)
-        .cpu([](auto run, const auto& atmosphere, const auto& ray, auto lit) {
+        .cpu([](auto run, const auto& atmosphere, const auto& lit, const auto& ray, auto length) {
             using R = decltype(run);
-            return airlight::source_depth<typename R::T, typename R::Scene>(atmosphere, ray, lit);
+            return airlight::source_depth<typename R::T, typename R::Scene>(atmosphere, lit, ray, length);
         })
         .within_bound();
 
@@ -96,7 +96,7 @@ static const bool monotone_slope_row =
 static const bool shaft_piece_row =
     row("shaft_piece")
         .inputs([](Draw& draw) {
-            const auto [atmosphere, ray] = shaft(draw);
+            const auto [atmosphere, lit, ray] = shaft(draw);
             const auto before = draw.spectrum(1e-3F, 46.0F);
             const auto here = draw.spectrum(1e-3F, 46.0F);
             const auto next = draw.spectrum(1e-3F, 46.0F);
@@ -112,7 +112,7 @@ static const bool shaft_piece_row =
 
 /// A ray and a piece of it.
 static auto piece(Draw& draw) {
-    const auto [atmosphere, ray] = shaft(draw);
+    const auto [atmosphere, lit, ray] = shaft(draw);
     const auto before = draw.spectrum(1e-3F, 20.0F);
     const auto here = draw.spectrum(1e-3F, 20.0F);
     const auto next = draw.spectrum(1e-3F, 20.0F);
