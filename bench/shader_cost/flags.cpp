@@ -12,10 +12,9 @@ namespace {
 /// Functions to which a flag comes only through a function of which they use another part. There the counts
 /// must be equal: the compiler removes what is not used.
 const std::vector<std::pair<std::string, std::string>> untouched = {
-    {"layer_column", "mie"},                    // takes the ozone alone of relative_density
-    {"ozone_column", "mie"},                    // likewise
-    {"slant_texel", "ozone"},                   // takes the scale heights alone of layers_of
-    {"light_lost_in_shadow", "planet_shadow"},  // nothing is lost without a hook: all of it is compiled away
+    {"layer_column", "mie"},   // takes the ozone alone of relative_density
+    {"ozone_column", "mie"},   // likewise
+    {"slant_texel", "ozone"},  // takes the scale heights alone of layers_of
 };
 
 const Row* find(const std::vector<Row>& rows, const Row& like, const std::string& flags) {

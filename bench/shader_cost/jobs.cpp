@@ -69,6 +69,21 @@ const std::vector<Baseline> baselines_and_settings = {
     {"double_loop", {{64}, {8}, {16}, {32}}, 2},
 };
 
+/// Pieces and looks of light_lost_in_shadow, first the deferred renderer's.
+const std::vector<std::vector<int>> shaft_counts = {{12, 8}, {8, 4}, {8, 8}, {16, 16}};
+
+std::vector<bench::Variant> settings_of(const std::vector<std::vector<int>>& all) {
+    std::vector<bench::Variant> settings;
+    for (const std::vector<int>& counts : all) {
+        std::string text;
+        for (const int count : counts) {
+            text += (text.empty() ? "" : "x") + std::to_string(count);
+        }
+        settings.push_back({text, "default", {}, counts});
+    }
+    return settings;
+}
+
 /// What reads a table for every pixel, with the deferred renderer's hooks.
 struct TableMethod {
     const char* function;
@@ -117,7 +132,10 @@ std::vector<Job> library_jobs(const Library& library) {
         if (unmeasured.count(function.header) != 0) {
             continue;
         }
-        add_all(library, function, function.name, bench::settings(library.manifest, function), 1, out);
+        add_all(library, function, function.name,
+                function.name == "light_lost_in_shadow" ? settings_of(shaft_counts)
+                                                        : bench::settings(library.manifest, function),
+                1, out);
     }
     for (const TableMethod& method : table_methods) {
         const support::Function& function = *library.manifest.function(method.function);
@@ -137,15 +155,7 @@ std::vector<Job> baseline_jobs(const Library& baselines) {
             throw support::Error(std::string("study/baselines has no '") + baseline.name +
                                  "' any more; take it out of bench/shader_cost/jobs.cpp");
         }
-        std::vector<bench::Variant> settings;
-        for (const std::vector<int>& counts : baseline.counts) {
-            std::string text;
-            for (const int count : counts) {
-                text += (text.empty() ? "" : "x") + std::to_string(count);
-            }
-            settings.push_back({text, "default", {}, counts});
-        }
-        add_all(baselines, *function, baseline.name, settings, baseline.degree, out);
+        add_all(baselines, *function, baseline.name, settings_of(baseline.counts), baseline.degree, out);
     }
     return out;
 }

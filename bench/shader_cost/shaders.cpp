@@ -1,6 +1,8 @@
 #include "shaders.hpp"
 
+#include <set>
 #include <sstream>
+#include <string>
 
 #include "support/error.hpp"
 #include "support/glsl_source.hpp"
@@ -14,16 +16,27 @@ bool is_uniform(const std::string& type) {
     return type == "Atmosphere";
 }
 
-/// Defines the hooks that a table may stand behind: those that take texture coordinates.
+/// Functions that find no light without a hook that says where it is dark.
+const std::set<std::string> functions_in_shadow = {"light_lost_in_shadow"};
+
+/// Defines the hooks that a texture may stand behind: a table, by its coordinates, and a shadow map.
 std::string texture_hooks(const support::Manifest& manifest, const support::Function& function) {
     std::string out;
     for (const std::string& name : function.hooks) {
         const support::Hook& hook = manifest.hook(name);
-        if (hook.parameters != std::vector<std::string>{"uv"}) {
+        const bool table = hook.parameters == std::vector<std::string>{"uv"};
+        const bool shadow_map = hook.parameters == std::vector<std::string>{"position"} &&
+                                functions_in_shadow.count(function.name) != 0;
+        if (!table && !shadow_map) {
             continue;
         }
         if (out.empty()) {
             out = "layout(binding = " + std::to_string(binding::table) + ") uniform sampler2D table;\n";
+        }
+        if (shadow_map) {
+            out += "#define " + hook.macro +
+                   "(position) step((position).z, textureLod(table, (position).xy, 0.0).r)\n";
+            continue;
         }
         const bool of_two = hook.default_value.find("vec2") != std::string::npos;
         out += "#define " + hook.macro + "(uv) textureLod(table, uv, 0.0)." + (of_two ? "rg" : "rgb") + "\n";
