@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+
+#include <glm/glm.hpp>
 
 #include <airlight/types.hpp>
 
@@ -42,6 +45,20 @@ struct Frame {
 /// Towards the light that the shadow maps are of.
 inline const vec3& to_mapped_light(const Frame& frame) {
     return frame.mapped_light == 0 ? frame.to_sun : frame.to_moon;
+}
+
+/// Axes that hang on a light's direction alone.
+struct LightAxes {
+    glm::dvec3 to_light;
+    glm::dvec3 across;
+    glm::dvec3 up;
+};
+
+inline LightAxes mapped_light_axes(const Frame& frame) {
+    const glm::dvec3 to_light = glm::normalize(glm::dvec3(to_mapped_light(frame)));
+    const glm::dvec3 other = std::abs(to_light.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 across = glm::normalize(glm::cross(other, to_light));
+    return {to_light, across, glm::cross(to_light, across)};
 }
 
 static_assert(offsetof(Frame, ray_across) == 16 && offsetof(Frame, eye_position) == 48 &&

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "by_name.hpp"
 #include "renderer.hpp"
 #include "support/error.hpp"
 #include "support/files.hpp"
@@ -96,10 +97,9 @@ void measure(int width, int height, int runs, const std::string& page) {
         Renderer renderer(world, tables, terrain, settings, width, height);
         std::vector<Times>& views = columns.emplace_back();
         for (const std::string& name : cameras) {
-            const auto camera = std::find_if(named_cameras().begin(), named_cameras().end(),
-                                             [&name](const Camera& c) { return c.name == name; });
             const Picturing picturing{width, height, sun_elevation, 250, false, 40, 12, settings};
-            const View view = make_view(*camera, picturing, double(world.atmosphere.ground_radius), terrain);
+            const View view = make_view(by_name(named_cameras(), name, "camera"), picturing,
+                                        double(world.atmosphere.ground_radius), terrain);
             Times& times = views.emplace_back();
             for (int run = 0; run < runs; ++run) {
                 renderer.draw(view, settings);
@@ -146,11 +146,7 @@ void measure(int width, int height, int runs, const std::string& page) {
         line, sizeof line,
         "\nCopying what the air's pass reads (depth, light behind) to what it writes takes %.3g ms.\n", copy);
     text << line;
-    if (page.empty()) {
-        std::cout << text.str();
-    } else {
-        support::write_file(page, text.str());
-    }
+    support::print_or_write(page, text.str());
 }
 
 }  // namespace

@@ -11,6 +11,9 @@
 #include <string>
 #include <vector>
 
+#include <airlight/constants.hpp>
+
+#include "by_name.hpp"
 #include "renderer.hpp"
 #include "support/error.hpp"
 #include "support/files.hpp"
@@ -75,6 +78,22 @@ double at_rank(std::vector<double>& values, double share) {
     return values[rank];
 }
 
+/// The pixel that is off by most, relative to its own light.
+struct Worst {
+    double error = 0;
+    std::size_t view = 0;
+    double degrees_from_sun = 0;
+    double left = 1;  ///< of its light without shadows
+};
+
+double degrees_from_sun(const Frame& frame, int pixel) {
+    const glm::dvec3 ray(frame.ray_corner + (float(pixel % frame.width) + 0.5f) * frame.ray_across +
+                         (float(pixel / frame.width) + 0.5f) * frame.ray_up);
+    const glm::dvec3 to_sun(to_mapped_light(frame));
+    return std::atan2(glm::length(glm::cross(ray, to_sun)), glm::dot(ray, to_sun)) * 180 /
+           airlight::pi<double>;
+}
+
 void measure(int width, int height, const std::string& page) {
     const World world = worlds().front();
     const Terrain terrain(read_height_map(DEFERRED_HEIGHT_MAP, 74, 93));
@@ -85,30 +104,33 @@ void measure(int width, int height, const std::string& page) {
 
     std::vector<View> views;
     for (const Sun& sun : suns) {
-        const auto camera = std::find_if(named_cameras().begin(), named_cameras().end(),
-                                         [&sun](const Camera& c) { return c.name == sun.camera; });
         const Picturing picturing{width, height, sun.elevation, 250, false, 40, 12, Settings{}};
-        views.push_back(make_view(*camera, picturing, double(world.atmosphere.ground_radius), terrain));
+        views.push_back(make_view(by_name(named_cameras(), sun.camera, "camera"), picturing,
+                                  double(world.atmosphere.ground_radius), terrain));
     }
-    std::vector<std::vector<float>> truth;
     support::ProgressBar bar("light shafts");
-    const std::size_t pictures = views.size() * (all.size() + 1);
+    const std::size_t pictures = views.size() * (all.size() + 2);
     std::size_t done = 0;
-    {
-        Settings settings = shafts(Shafts::reference);
-        settings.reference_steps = truth_steps;
+    const auto radiances = [&](const Settings& settings) {
+        std::vector<std::vector<float>> radiance;
         Renderer renderer(world, tables, terrain, settings, width, height);
         for (const View& view : views) {
             renderer.draw(view, settings);
-            truth.push_back(renderer.read().radiance);
+            radiance.push_back(renderer.read().radiance);
             bar(++done, pictures);
         }
-    }
+        return radiance;
+    };
+    const std::vector<std::vector<float>> unshaded = radiances(shafts(Shafts::none));
+    Settings exact = shafts(Shafts::reference);
+    exact.reference_steps = truth_steps;
+    const std::vector<std::vector<float>> truth = radiances(exact);
     std::ostringstream rows;
     for (const Method& method : all) {
         Renderer renderer(world, tables, terrain, method.settings, width, height);
         std::vector<double> errors;
         double milliseconds = 0;
+        Worst worst;
         for (std::size_t v = 0; v < views.size(); ++v) {
             double fastest = std::numeric_limits<double>::infinity();
             GpuPicture picture;
@@ -121,8 +143,13 @@ void measure(int width, int height, const std::string& page) {
             for (std::size_t i = 0; i < picture.radiance.size(); ++i) {
                 // The sun's disc drowns the air around it.
                 if (truth[v][i] < 10) {
-                    errors.push_back(std::abs(double(picture.radiance[i]) - double(truth[v][i])) /
-                                     std::max(double(truth[v][i]), 1e-9));
+                    const double error = std::abs(double(picture.radiance[i]) - double(truth[v][i])) /
+                                         std::max(double(truth[v][i]), 1e-9);
+                    errors.push_back(error);
+                    if (error > worst.error) {
+                        worst = Worst{error, v, degrees_from_sun(views[v].frame, int(i / 3)),
+                                      double(truth[v][i]) / double(unshaded[v][i])};
+                    }
                 }
             }
             bar(++done, pictures);
@@ -130,9 +157,10 @@ void measure(int width, int height, const std::string& page) {
         char line[256];
         const double middle = at_rank(errors, 0.5);
         const double most = at_rank(errors, 0.95);
-        std::snprintf(line, sizeof line, "| %s | %.3g | %.3g | %.3g | %.3g |\n", method.name.c_str(),
-                      100 * middle, 100 * most, 100 * *std::max_element(errors.begin(), errors.end()),
-                      milliseconds);
+        std::snprintf(line, sizeof line, "| %s | %.3g | %.3g | %.3g | %s %g, %.1f, %.2g | %.3g |\n",
+                      method.name.c_str(), 100 * middle, 100 * most, 100 * worst.error,
+                      suns[worst.view].camera.c_str(), suns[worst.view].elevation, worst.degrees_from_sun,
+                      100 * worst.left, milliseconds);
         rows << line;
     }
     std::ostringstream text;
@@ -149,15 +177,11 @@ void measure(int width, int height, const std::string& page) {
             "views, on\n"
          << context.renderer() << ", " << support::processor_name()
          << ".\nWritten by `measure_shafts --write docs/shafts.md`.\n\n"
-         << "The worst pixels lie where the sun's aureole is all but covered, and what is left is a small "
-            "difference.\n\n"
-         << "| method | median, % | 95 % within, % | worst, % | ms |\n|---|---|---|---|---|\n"
+         << "Where the worst pixel lies: the view, degrees from the sun, and how many % of its light without "
+            "shadows the\npixel keeps.\n\n"
+         << "| method | median, % | 95 % within, % | worst, % | where | ms |\n|---|---|---|---|---|---|\n"
          << rows.str();
-    if (page.empty()) {
-        std::cout << text.str();
-    } else {
-        support::write_file(page, text.str());
-    }
+    support::print_or_write(page, text.str());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "by_name.hpp"
 #include "support/error.hpp"
 
 #ifndef DEFERRED_HEIGHT_MAP
@@ -23,25 +24,6 @@ constexpr int most_frames = 10000;  // four digits
 
 [[noreturn]] void fail(const std::string& what) {
     throw support::Error(what + "; see --help");
-}
-
-template <typename Item>
-std::string names(const std::vector<Item>& items) {
-    std::string text;
-    for (const Item& item : items) {
-        text += (text.empty() ? "" : ", ") + item.name;
-    }
-    return text;
-}
-
-template <typename Item>
-const Item& by_name(const std::vector<Item>& items, const std::string& name, const std::string& kind) {
-    for (const Item& item : items) {
-        if (item.name == name) {
-            return item;
-        }
-    }
-    fail("no " + kind + " is called '" + name + "'; choose from " + names(items));
 }
 
 void require_range(const std::string& option, double value, double least, double most) {

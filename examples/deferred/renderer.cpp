@@ -19,7 +19,6 @@ Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& t
       occlusion_(width, height),
       visibility_(width, height, settings.clouds),
       lighting_(world, tables_, width, height),
-      shafts_(world, width, height, settings.half_shafts),
       air_(world, tables_, width, height, settings.clouds),
       bloom_(width, height),
       flare_(bloom_),
@@ -29,6 +28,8 @@ Renderer::Renderer(const World& world, const AirTables& tables, const Terrain& t
     }
     if (settings.shafts == Shafts::epipolar) {
         epipolar_.emplace(world, settings, width, height);
+    } else if (settings.shafts != Shafts::none) {
+        shafts_.emplace(world, width, height, settings.half_shafts);
     }
     if (has_clip_control()) {
         glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -70,8 +71,8 @@ void Renderer::draw(const View& view, const Settings& settings) {
             epipolar_->draw(view, surfaces_, shadows_, settings);
             lost_ = epipolar_->lost();
         } else {
-            shafts_.draw(surfaces_, shadows_, settings);
-            lost_ = shafts_.lost();
+            shafts_->draw(surfaces_, shadows_, settings);
+            lost_ = shafts_->lost();
         }
     }
     timers_.start("air");

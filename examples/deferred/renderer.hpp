@@ -47,7 +47,8 @@ struct GpuPicture {
 };
 
 /// Draws a world and its landscape: a list of passes, each with a file of its own in passes/. Needs an OpenGL
-/// 4.3 context that is current.
+/// 4.3 context that is current. Made for the clouds, the kind of shafts and their resolution, the objects and
+/// the shadow maps' size of its settings; all else may be drawn otherwise each time.
 class Renderer {
   public:
     Renderer(const World& world, const AirTables& tables, const Terrain& terrain, const Settings& settings,
@@ -99,7 +100,7 @@ class Renderer {
     VisibilityPass visibility_;
     LightingPass lighting_;
     std::optional<CloudPass> clouds_;
-    ShaftPass shafts_;
+    std::optional<ShaftPass> shafts_;
     std::optional<EpipolarPass> epipolar_;
     AirPass air_;
     BloomPass bloom_;

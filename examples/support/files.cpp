@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <iostream>
 #include <memory>
 #include <system_error>
 
@@ -75,6 +76,14 @@ void write_file(const std::filesystem::path& path, const std::string& bytes) {
     if (!written) {
         std::remove(temporary.c_str());
         fail("cannot write", path, error, advice);
+    }
+}
+
+void print_or_write(const std::filesystem::path& path, const std::string& text) {
+    if (path.empty()) {
+        std::cout << text;
+    } else {
+        write_file(path, text);
     }
 }
 

@@ -116,8 +116,7 @@ float airlight_shaft_distance(airlight_ShaftRay shaft, float lit) {
 // Domain:   i from 0 to pieces; pieces >= 1.
 // Accuracy: 4 roundoffs.
 // Errors:   none.
-// Source:   chosen: of the powers 1, 1.25, ..., 3 of the place the second has the least error in full
-// shadow.
+// Source:   chosen: the air near an eye in it is worth most.
 float airlight_shaft_piece_end(airlight_ShaftRay shaft, int i, int pieces) {
     float x = float(i) / float(pieces);
     float s = x * shaft.far_root - (1.0 - x) * shaft.near_root;
@@ -271,28 +270,17 @@ vec3 airlight_light_between(airlight_ShaftRay shaft, airlight_ShaftPiece piece, 
 // either: in the planet's own shadow there is no light to lose. Where all is lost, the difference may come
 // out below 0 by the errors of both: the caller takes its max with 0.
 //
-// Errors in % of the ray's whole light, below which half and 95 % of 3120 cases are: eyes to 10 km, suns
-// from 60 degrees to the horizon, surfaces 1 to 100 km off and sky; half spaces, single shafts and rows of
-// shafts of 50 m to 5 km. Nearly all of it is edges of shadow that fall between looks: where all is dark
-// there are none, and few are left in the mean of 16 offsets. Sources are how often the air is looked at.
-//
-//     pieces x looks   all dark, 95 %   shadows, half   95 %   offsets' mean, 95 %   sources   time
-//     4 x 4                 1.9              1.7         16            1.6              5      0.005
-//     8 x 4                 0.46             0.87        11            0.84             9      0.009
-//     8 x 8                 0.35             0.50         6.2          0.42             9      0.014
-//     12 x 8                0.09             0.33         4.9          0.35            13      0.020
-//     16 x 8                0.04             0.25         3.8          0.27            17      0.026
-//     16 x 50               0.03             0.04         0.62                         17      0.10
-//     march, 800 steps      0.001            0.04         0.59                        800      1
+// What is wrong is nearly all edges of shadow that fall between looks: where all is dark there are none, and
+// the mean of neighbours with other offsets has few left.
 //
 // Units:    those of single_scattering; range [L]; offset [1]; result [1/sr] per unit of solar irradiance
 //           above the air.
 // Shape:    the result is a spectrum.
 // Domain:   that of single_scattering; range >= 0, no_surface() for none; offset in [0, 1]; visibility in
 //           [0, 1].
-// Accuracy: the table's; with 8 pieces or more up to five times that for eyes from 10 km to space. Float is
-// as
-//           good as double.
+// Accuracy: of the ray's whole light, in 95 % of the cases of its unit test: 8 x 8 looks 1.4 %, 16 x 50
+//           looks 0.10 %, as a march of 800 steps has; all dark, 8 pieces 0.53 %, 16 pieces 0.054 %, and
+//           0.21 % past the closest approach. Float as good as double.
 // Errors:   none; without air, or with pieces or looks below 1, 0. Never more than the ray can scatter.
 // Source:   docs/theory/nodes.md for the source; cubic Hermite interpolation of its logarithm.
 vec3 airlight_light_lost_in_shadow(airlight_Atmosphere atmosphere, airlight_Viewpoint eye, vec3 direction,

@@ -258,11 +258,14 @@ int main(int argc, char** argv) {
         }
         bool good = true;
         std::unique_ptr<image::Studio> studio;
+        deferred::Shafts made_with = deferred::Shafts::none;
         for (const View& view : views()) {
             deferred::Settings settings;
             settings.shafts = view.shafts;
             settings.shadow_size = 1024;
-            if (studio == nullptr || studio->world_name() != view.world) {
+            // A renderer has the passes of the settings that it was made with.
+            if (studio == nullptr || studio->world_name() != view.world || made_with != view.shafts) {
+                made_with = view.shafts;
                 studio = std::make_unique<image::Studio>(view.world, settings, width, height);
             }
             const deferred::Moment moment{view.camera, view.sun_elevation, view.sun_azimuth};

@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "cpu_frame.hpp"
-#include "view.hpp"
 
 namespace image {
 namespace {
@@ -41,15 +40,6 @@ deferred::World world_called(const std::string& name) {
 }
 
 }  // namespace
-
-deferred::Camera camera_called(const std::string& name) {
-    for (const deferred::Camera& camera : deferred::named_cameras()) {
-        if (camera.name == name) {
-            return camera;
-        }
-    }
-    throw std::runtime_error("no camera " + name);
-}
 
 Studio::Studio(const std::string& world, const deferred::Settings& settings, int width, int height,
                int coarser, deferred::TableKind tables)

@@ -3,11 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "by_name.hpp"
 #include "path.hpp"
 #include "renderer.hpp"
 #include "settings.hpp"
 #include "tables.hpp"
 #include "terrain.hpp"
+#include "view.hpp"
 #include "world.hpp"
 
 // The renderer of examples/deferred with what it needs around it, in one object.
@@ -32,7 +34,9 @@ struct LinearPicture {
     }
 };
 
-deferred::Camera camera_called(const std::string& name);
+inline const deferred::Camera& camera_called(const std::string& name) {
+    return deferred::by_name(deferred::named_cameras(), name, "camera");
+}
 
 /// One world, its tables, its landscape and a renderer of one size. Needs a context. Beside deferred's worlds
 /// there are "haze", Earth with 20 times the aerosol, and "black", Earth with ground that reflects nothing.

@@ -130,8 +130,9 @@ TEST_CASE_TEMPLATE("Chapman's function lies between 1 and 1 + sqrt(pi x / 2) for
 }
 
 TEST_CASE("Leenman's formula for whole rays is that of a planet no larger than its air's scale height") {
-    // T = 2 exp(-x) (2 - exp(-x)), x the ray's distance from the centre. He gives no unit; in scale heights it
-    // is the column 2 x K_1(x) = 2 exp(-x) chapman(x, 0) of a ray through air of density exp(-r), r from 0.
+    // T = 2 exp(-x) (2 - exp(-x)), x the ray's distance from the centre. He gives no unit; in scale heights
+    // it is the column 2 x K_1(x) = 2 exp(-x) chapman(x, 0) of a ray through air of density exp(-r), r from
+    // 0.
     Worst small;
     for (const Row& row : reference("chapman")) {
         if (row.text("function") != "chapman" || row.input<double>("mu") != 0) {
@@ -145,7 +146,8 @@ TEST_CASE("Leenman's formula for whole rays is that of a planet no larger than i
             small.add(compare_relative("his formula", {{"x", x}}, (long double)his, (long double)whole));
         }
         if (x >= 200 && whole > 0) {
-            CHECK(his < 0.12 * whole);  // his falls as exp(-x), the column as sqrt(x) exp(-x): 2 / 17.7 at 200
+            CHECK(his <
+                  0.12 * whole);  // his falls as exp(-x), the column as sqrt(x) exp(-x): 2 / 17.7 at 200
             CHECK(std::exp(-x) * chapman(x, 0.0, 1.0) == doctest::Approx(whole).epsilon(1e-7));  // docstring
         }
     }

@@ -42,11 +42,11 @@ bool on_screen(const Frame& frame, const glm::dvec3& direction) {
 }  // namespace
 
 EpipolarBlock epipolar_block(const Frame& frame, double columns_end, int slices, int samples, int columns) {
-    const glm::dvec3 to_sun = glm::normalize(glm::dvec3(to_mapped_light(frame)));
-    const glm::dvec3 x = glm::normalize(
-        glm::cross(std::abs(to_sun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), to_sun));
-    const glm::dvec3 y = glm::cross(to_sun, x);
-    const auto around = [&](const glm::dvec3& ray) { return std::atan2(glm::dot(ray, y), glm::dot(ray, x)); };
+    const LightAxes light = mapped_light_axes(frame);
+    const glm::dvec3 to_sun = light.to_light;
+    const auto around = [&light](const glm::dvec3& ray) {
+        return std::atan2(glm::dot(ray, light.up), glm::dot(ray, light.across));
+    };
 
     const std::vector<glm::dvec3> rays = border_rays(frame);
     const glm::dvec3 middle = glm::cross(glm::dvec3(frame.ray_up), glm::dvec3(frame.ray_across));
@@ -66,8 +66,8 @@ EpipolarBlock epipolar_block(const Frame& frame, double columns_end, int slices,
     const bool sun = on_screen(frame, to_sun);
     const bool opposite = on_screen(frame, -to_sun);
     EpipolarBlock block{};
-    block.slice_x = vec3(x);
-    block.slice_y = vec3(y);
+    block.slice_x = vec3(light.across);
+    block.slice_y = vec3(light.up);
     block.whole_circle = sun || opposite;
     block.first_slice = block.whole_circle != 0 ? 0 : float(first_slice + around(middle));
     block.slice_range = block.whole_circle != 0 ? float(turn) : float(last_slice - first_slice);

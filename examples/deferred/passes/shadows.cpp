@@ -8,13 +8,13 @@ namespace {
 
 constexpr double farthest = 60e3;  // [m] from the camera that shadows of the landscape are looked for
 
-/// The smallest sphere around the stretch of the view from `nearest` to `end`; its size hangs on the angle of
-/// view alone, so that turning the camera changes no texel.
 struct Sphere {
     glm::dvec3 centre;  ///< [m] from the camera
     double radius;
 };
 
+/// The smallest around the stretch of the view from `nearest` to `end`; its size hangs on the angle of view
+/// alone, so that turning the camera changes no texel.
 Sphere around_stretch(const Frame& frame, double nearest, double end) {
     const glm::dvec3 across(frame.ray_across);
     const glm::dvec3 up(frame.ray_up);
@@ -32,11 +32,7 @@ Sphere around_stretch(const Frame& frame, double nearest, double end) {
 }  // namespace
 
 std::array<Cascade, cascade_count> cascades_of(const View& view, double landscape_radius, int size) {
-    const glm::dvec3 to_sun = glm::normalize(glm::dvec3(to_mapped_light(view.frame)));
-    // Sideways axes that hang on the sun alone.
-    const glm::dvec3 across = glm::normalize(
-        glm::cross(std::abs(to_sun.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), to_sun));
-    const glm::dvec3 up = glm::cross(to_sun, across);
+    const LightAxes light = mapped_light_axes(view.frame);
 
     const double length = std::max(farthest, 2 * view.altitude);
     const double first = std::clamp(0.6 * view.above_ground, 60.0, length / 30);
@@ -59,11 +55,12 @@ std::array<Cascade, cascade_count> cascades_of(const View& view, double landscap
         const double width = texel * size;
         // Deep enough for the landscape that shades the box and the air behind it.
         const double depth = 2 * (sphere.radius + landscape_radius);
-        const double back = glm::dot(sphere.centre, to_sun) + 0.5 * depth;
+        const double back = glm::dot(sphere.centre, light.to_light) + 0.5 * depth;
         Cascade& cascade = cascades[std::size_t(i)];
-        cascade.across = glm::vec4(glm::vec3(across / width), float(0.5 - snapped(across) / width));
-        cascade.up = glm::vec4(glm::vec3(up / width), float(0.5 - snapped(up) / width));
-        cascade.depth = glm::vec4(glm::vec3(-to_sun / depth), float(back / depth));
+        cascade.across =
+            glm::vec4(glm::vec3(light.across / width), float(0.5 - snapped(light.across) / width));
+        cascade.up = glm::vec4(glm::vec3(light.up / width), float(0.5 - snapped(light.up) / width));
+        cascade.depth = glm::vec4(glm::vec3(-light.to_light / depth), float(back / depth));
         cascade.texel = glm::vec4(float(texel), 0, 0, 0);
     }
     return cascades;

@@ -6,6 +6,7 @@
 #include "airlight/transmittance.glsl"
 
 #include "clouds.glsl"
+#include "view_ray.glsl"
 
 uniform sampler2D depth_texture;
 
@@ -69,14 +70,11 @@ vec3 scattered_by_cloud(CloudLight around, vec3 position, vec3 direction, Light 
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec3 ray = pixel_ray(frame, pixel);
-    float ray_length = length(ray);
-    vec3 direction = ray / ray_length;
-    float surface = surface_distance(frame, texelFetch(depth_texture, pixel, 0).x, ray_length);
-    airlight_Viewpoint eye = airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position,
-                                                             vec3(0.0, 0.0, 1.0));
-    CloudStretches stretches = cloud_stretches(atmosphere.ground_radius, eye, direction, surface);
-    float pixel_width = length(frame.ray_up) / ray_length;
+    ViewRay ray = view_ray(pixel, texelFetch(depth_texture, pixel, 0).x);
+    vec3 direction = ray.direction;
+    airlight_Viewpoint eye = camera_viewpoint();
+    CloudStretches stretches = cloud_stretches(atmosphere.ground_radius, eye, direction, ray.distance);
+    float pixel_width = length(frame.ray_up) / length(pixel_ray(frame, pixel));
 
     vec3 sum = vec3(0.0);
     float through = 1.0;

@@ -12,13 +12,9 @@ layout(location = 0) out vec4 lost;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    vec3 ray = pixel_ray(frame, pixel);
-    float ray_length = length(ray);
-    vec3 direction = ray / ray_length;
-    float depth = texelFetch(depth_texture, pixel, 0).x;
-    float distance = depth > 0.0 ? frame.near_distance / depth * ray_length : airlight_no_surface();
+    ViewRay ray = view_ray(pixel, texelFetch(depth_texture, pixel, 0).x);
 
-    vec2 place = epipolar_place(direction, to_mapped_light(frame));
+    vec2 place = epipolar_place(ray.direction, to_mapped_light(frame));
     ivec2 first = ivec2(floor(place));
     vec2 share = place - vec2(first);
     vec4 sum = vec4(0.0);
@@ -28,7 +24,7 @@ void main() {
         at.x = clamp(at.x, 0, samples - 1);
         at.y = whole_circle ? (at.y + slices) % slices : clamp(at.y, 0, slices - 1);
         vec4 texel = texelFetch(marched_texture, at, 0);
-        float apart = abs(texel.w - distance) / max(texel.w, distance);
+        float apart = abs(texel.w - ray.distance) / max(texel.w, ray.distance);
         vec2 w = mix(1.0 - share, share, vec2(corner));
         float weight = texel.w > 0.0 && apart < 0.1 ? (w.x * w.y + 1e-3) * exp2(-1000.0 * apart * apart) : 0.0;
         sum += weight * vec4(texel.xyz, 1.0);
@@ -37,9 +33,6 @@ void main() {
         lost = vec4(sum.xyz / sum.w, 1.0);
         return;
     }
-    vec3 origin_up = vec3(0.0, 0.0, 1.0);
-    airlight_Viewpoint eye =
-        airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
     int slice = clamp(int(floor(place.y + 0.5)), 0, slices);
-    lost = vec4(light_lost_in_slice(eye, direction, to_mapped_light(frame), distance, shadow_range, slice % slices), 0.0);
+    lost = vec4(light_lost_in_slice(ray, slice % slices), 0.0);
 }

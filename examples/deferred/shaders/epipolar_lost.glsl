@@ -1,8 +1,8 @@
 // The light that shadows keep from a ray, by the tree of its slice: whole stretches at a time that are lit or dark.
 #include "epipolar.glsl"
+#include "view_ray.glsl"
 
 #include "airlight/light_shafts.glsl"
-#include "airlight/viewpoint.glsl"
 
 uniform sampler2D tree_texture;
 uniform int pieces;
@@ -12,19 +12,20 @@ int level_begin(int level) {
     return 2 * columns - ((2 * columns) >> level);
 }
 
-vec3 light_lost_in_slice(airlight_Viewpoint eye, vec3 direction, vec3 to_sun, float distance, float range,
-                         int slice) {
+vec3 light_lost_in_slice(ViewRay seen, int slice) {
     vec3 lost = vec3(0.0);
-    airlight_AirRay air = airlight_air_ray(atmosphere, eye, direction, min(distance, range));
+    vec3 to_sun = to_mapped_light(frame);
+    airlight_Viewpoint eye = camera_viewpoint();
+    airlight_AirRay air = airlight_air_ray(atmosphere, eye, seen.direction, min(seen.distance, shadow_range));
     if (!air.in_air) {
         return lost;
     }
-    float along = dot(direction, to_sun);
-    float across = max(length(cross(direction, to_sun)), 1e-6);
+    float along = dot(seen.direction, to_sun);
+    float across = max(length(cross(seen.direction, to_sun)), 1e-6);
     float slope = along / across;
     int levels = findMSB(columns);
 
-    airlight_LitRay ray = airlight_lit_ray(atmosphere, air, eye, direction, to_sun);
+    airlight_LitRay ray = airlight_lit_ray(atmosphere, air, eye, seen.direction, to_sun);
     airlight_ShaftRay shaft = airlight_shaft_ray(atmosphere, ray);
     vec3 before = lost;
     vec3 here = airlight_source_depth(atmosphere, ray, shaft, 0.0);

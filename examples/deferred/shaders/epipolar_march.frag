@@ -25,9 +25,7 @@ void main() {
         return;
     }
     float depth = texelFetch(depth_texture, ivec2(clamp(pixel, vec2(0.0), size - 1.0)), 0).x;
-    float distance = depth > 0.0 ? frame.near_distance / depth / facing : airlight_no_surface();
-    vec3 origin_up = vec3(0.0, 0.0, 1.0);
-    airlight_Viewpoint eye =
-        airlight_viewpoint_from_surface(atmosphere.ground_radius, frame.eye_position, origin_up);
-    lost = vec4(light_lost_in_slice(eye, direction, to_mapped_light(frame), distance, shadow_range, slice), distance);
+    ViewRay seen =
+        ViewRay(direction, depth > 0.0 ? frame.near_distance / depth / facing : airlight_no_surface());
+    lost = vec4(light_lost_in_slice(seen, slice), seen.distance);
 }

@@ -6,6 +6,7 @@ layout(location = 0) out vec4 lost;  // of light_to_lose, and the distance of th
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    ShaftPixel pixel = shaft_pixel(min(texel * scale, ivec2(frame.width - 1, frame.height - 1)));
-    lost = vec4(lost_before(pixel, interleaved(texel)) / max(light_to_lose(pixel), 1e-30), pixel.distance);
+    ivec2 pixel = min(texel * scale, ivec2(frame.width - 1, frame.height - 1));
+    ViewRay ray = view_ray(pixel, texelFetch(depth_texture, pixel, 0).x);
+    lost = vec4(lost_before(ray, interleaved(texel)) / max(light_to_lose(ray), 1e-30), ray.distance);
 }
