@@ -55,6 +55,13 @@ class Draw {
         return glm::normalize(airlight::vec3<T>(T(normal(random_)), T(normal(random_)), T(normal(random_))));
     }
 
+    /// [m] in a habitat.
+    airlight::vec3<T> place() {
+        const T x = between(-24e3, 24e3);
+        const T y = between(-5600, 5600);
+        return {x, y, between(-5600, 5600)};
+    }
+
   private:
     /// A unit vector at a cosine to `up`.
     airlight::vec3<T> with_cosine(T cosine) {
@@ -74,6 +81,42 @@ airlight::Atmosphere<T> atmosphere_of() {
         out.mie_g = 10;
     }
     return out;
+}
+
+/// A habitat 8 km wide with that air, in metres.
+template <typename T>
+airlight::HabitatAir<T> habitat_of(const airlight::Atmosphere<T>& atmosphere) {
+    return {T(8000),
+            T(7.36e-9),
+            atmosphere.rayleigh_scattering,
+            atmosphere.mie_scattering,
+            atmosphere.mie_absorption,
+            atmosphere.mie_g};
+}
+
+/// One of its lights, on the wall.
+template <typename T>
+airlight::LinearLight<T> strip_of() {
+    using vec3 = airlight::vec3<T>;
+    return {vec3(T(10500), T(0), T(-8000)),
+            vec3(T(1), T(0), T(0)),
+            vec3(T(0), T(0), T(1)),
+            T(5500),
+            T(100),
+            vec3(T(1))};
+}
+
+/// A lamp at its wall.
+template <typename T>
+airlight::PointLight<T> lamp_of() {
+    using vec3 = airlight::vec3<T>;
+    return {vec3(T(0), T(0), T(-7990)), vec3(T(1)), vec3(T(0), T(0), T(1)), T(0.9), T(0.5)};
+}
+
+/// All of its lights.
+template <typename T>
+airlight::HabitatLights<T> lights_of() {
+    return {T(24e3), T(5e3), T(16e3), T(100), airlight::vec3<T>(T(1)), T(200), T(1) / T(12)};
 }
 
 }  // namespace cpu_bench

@@ -3,6 +3,7 @@
 #define AIRLIGHT_PHASE_GLSL
 
 #include "airlight/constants.glsl"
+#include "airlight/scene.glsl"
 
 // Phase function of a medium that scatters evenly in all directions.
 //
@@ -141,6 +142,23 @@ float airlight_fog_phase(float cos_theta, float droplet_diameter_um) {
     float share = exp(-0.599085 / (d - 0.641583) - 0.665888);
     float lobe = (1.0 - share) * airlight_henyey_greenstein_phase(cos_theta, g_hg);
     return lobe + share * airlight_draine_phase(cos_theta, g_d, alpha);
+}
+
+// Phase function of the aerosol that the scene is compiled with.
+//
+// Units:    cos_theta [1]; g [1], or the droplet diameter in um for phase_fog; result [1/sr].
+// Domain:   that of the chosen phase function.
+// Accuracy: that of the chosen phase function.
+// Errors:   that of the chosen phase function.
+// Source:   cornette_shanks_phase, henyey_greenstein_phase, fog_phase.
+float airlight_mie_phase(float cos_theta, float g) {
+#if AIRLIGHT_MIE_PHASE == AIRLIGHT_PHASE_HENYEY_GREENSTEIN
+    return airlight_henyey_greenstein_phase(cos_theta, g);
+#elif AIRLIGHT_MIE_PHASE == AIRLIGHT_PHASE_FOG
+    return airlight_fog_phase(cos_theta, g);
+#else
+    return airlight_cornette_shanks_phase(cos_theta, g);
+#endif
 }
 
 // Cosine of a scattering angle with the distribution of rayleigh_phase, from an even number.

@@ -28,23 +28,6 @@ struct airlight_Scattered {
     vec3 transmittance;  // [1] of the whole ray, in [0, 1]
 };
 
-// Phase function of the aerosol that the scene is compiled with.
-//
-// Units:    cos_theta [1]; g [1], or the droplet diameter in um for phase_fog; result [1/sr].
-// Domain:   that of the chosen phase function.
-// Accuracy: that of the chosen phase function.
-// Errors:   that of the chosen phase function.
-// Source:   cornette_shanks_phase, henyey_greenstein_phase, fog_phase.
-float airlight_mie_phase(float cos_theta, float g) {
-#if AIRLIGHT_MIE_PHASE == AIRLIGHT_PHASE_HENYEY_GREENSTEIN
-    return airlight_henyey_greenstein_phase(cos_theta, g);
-#elif AIRLIGHT_MIE_PHASE == AIRLIGHT_PHASE_FOG
-    return airlight_fog_phase(cos_theta, g);
-#else
-    return airlight_cornette_shanks_phase(cos_theta, g);
-#endif
-}
-
 // A view ray in the air with all that its nodes share.
 struct airlight_LitRay {
     airlight_AirRay air;       // its stretch in the air

@@ -11,6 +11,9 @@
 #include <airlight/nodes_for.hpp>
 #include <airlight/numeric.hpp>
 
+#include <airlight/arc_tangent.hpp>
+#include <airlight/dawson.hpp>
+
 #include <airlight/chapman.hpp>
 #include <airlight/color.hpp>
 #include <airlight/density.hpp>
@@ -68,3 +71,12 @@
 
 #include <airlight/aerial_perspective.hpp>
 #include <airlight/sky.hpp>
+
+#include <airlight/habitat.hpp>
+#include <airlight/linear_light.hpp>
+
+#include <airlight/habitat_mapping.hpp>
+#include <airlight/strip_scattering.hpp>
+
+#include <airlight/habitat_scattering.hpp>
+#include <airlight/point_light.hpp>

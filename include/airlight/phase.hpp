@@ -1,6 +1,7 @@
 #pragma once
 
 #include <airlight/constants.hpp>
+#include <airlight/scene.hpp>
 #include <airlight/types.hpp>
 
 namespace airlight {
@@ -150,6 +151,24 @@ T fog_phase(T cos_theta, T droplet_diameter_um) {
     const T share = glm::exp(T(-0.599085L) / (d - T(0.641583L)) - T(0.665888L));
     const T lobe = (T(1) - share) * henyey_greenstein_phase(cos_theta, g_hg);
     return lobe + share * draine_phase(cos_theta, g_d, alpha);
+}
+
+/// Phase function of the aerosol that the scene is compiled with.
+///
+/// Units:    cos_theta [1]; g [1], or the droplet diameter in um for phase_fog; result [1/sr].
+/// Domain:   that of the chosen phase function.
+/// Accuracy: that of the chosen phase function.
+/// Errors:   that of the chosen phase function.
+/// Source:   cornette_shanks_phase, henyey_greenstein_phase, fog_phase.
+template <typename T, typename Scene = DefaultScene>
+T mie_phase(T cos_theta, T g) {
+    if constexpr (Scene::mie_phase == phase_henyey_greenstein) {
+        return henyey_greenstein_phase(cos_theta, g);
+    } else if constexpr (Scene::mie_phase == phase_fog) {
+        return fog_phase(cos_theta, g);
+    } else {
+        return cornette_shanks_phase(cos_theta, g);
+    }
 }
 
 /// Cosine of a scattering angle with the distribution of rayleigh_phase, from an even number.

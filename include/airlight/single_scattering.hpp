@@ -16,24 +16,6 @@ struct Scattered {
     vec3<T> transmittance;  ///< [1] of the whole ray, in [0, 1]
 };
 
-/// Phase function of the aerosol that the scene is compiled with.
-///
-/// Units:    cos_theta [1]; g [1], or the droplet diameter in um for phase_fog; result [1/sr].
-/// Domain:   that of the chosen phase function.
-/// Accuracy: that of the chosen phase function.
-/// Errors:   that of the chosen phase function.
-/// Source:   cornette_shanks_phase, henyey_greenstein_phase, fog_phase.
-template <typename T, typename Scene = DefaultScene>
-T mie_phase(T cos_theta, T g) {
-    if constexpr (Scene::mie_phase == phase_henyey_greenstein) {
-        return henyey_greenstein_phase(cos_theta, g);
-    } else if constexpr (Scene::mie_phase == phase_fog) {
-        return fog_phase(cos_theta, g);
-    } else {
-        return cornette_shanks_phase(cos_theta, g);
-    }
-}
-
 /// A view ray in the air with all that its nodes share.
 template <typename T>
 struct LitRay {

@@ -46,19 +46,23 @@ enum class Tolerance {
 /// The hooks of a run: those that stand in scenes.hpp, or the library's defaults.
 struct TestHooks {
     using Visibility = PartlyLit;
+    using LightVisibility = PartlySeen;
     using MultipleScattering = UnevenLight;
     using GroundIrradiance = LitGround;
     using FroxelTable = UnevenFroxels;
     using SlantTable = UnevenSlants;
+    using HabitatLight = UnevenHabitat;
     template <typename Scene>
     using TransmittanceToSpace = EveningLight;
 };
 struct DefaultHooks {
     using Visibility = airlight::AlwaysLit;
+    using LightVisibility = airlight::AlwaysSeen;
     using MultipleScattering = airlight::NoDiffuseLight;
     using GroundIrradiance = airlight::NoIrradiance;
     using FroxelTable = airlight::NoFroxels;
     using SlantTable = airlight::NoSlantTable;
+    using HabitatLight = airlight::BareHabitatLight;
     template <typename Scene>
     using TransmittanceToSpace = airlight::ComputedTransmittance<Scene>;
 };
@@ -69,10 +73,12 @@ struct Run {
     using T = Scalar;
     using Scene = SceneType;
     typename Hooks::Visibility visibility{};
+    typename Hooks::LightVisibility light_visibility{};
     typename Hooks::MultipleScattering multiple_scattering{};
     typename Hooks::GroundIrradiance ground_irradiance{};
     typename Hooks::FroxelTable froxel_table{};
     typename Hooks::SlantTable slant_table{};
+    typename Hooks::HabitatLight habitat_light{};
     typename Hooks::template TransmittanceToSpace<SceneType> transmittance_to_space{};
 };
 

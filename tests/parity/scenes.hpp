@@ -6,6 +6,7 @@
 #include <airlight/diffuse_light.hpp>
 #include <airlight/froxel_table.hpp>
 #include <airlight/gathered_light.hpp>
+#include <airlight/habitat_scattering.hpp>
 #include <airlight/scene.hpp>
 #include <array>
 #include <cstddef>
@@ -76,6 +77,18 @@ struct PartlyLit {
     }
 };
 
+/// A hook that depends on every coordinate of light and place.
+struct PartlySeen {
+    template <typename T>
+    T operator()(const airlight::vec3<T>& light_position, const airlight::vec3<T>& position) const {
+        const airlight::vec3<T> way = light_position - position;
+        const T reach = glm::abs(way.x) + glm::abs(way.y) + glm::abs(way.z);
+        return reach > T(0)
+                   ? glm::clamp(T(0.5) + (way.x - T(0.5) * way.y + T(0.25) * way.z) / reach, T(0), T(1))
+                   : T(1);
+    }
+};
+
 /// Light from all sides that differs in each of its parts.
 struct UnevenLight {
     template <typename T>
@@ -132,6 +145,17 @@ struct UnevenFroxels {
     }
 };
 
+/// A habitat's light that differs along each coordinate and does not ask its strips.
+struct UnevenHabitat {
+    template <typename T>
+    airlight::vec3<T> operator()(const airlight::HabitatAir<T>& air, const airlight::HabitatLights<T>&,
+                                 const airlight::vec3<T>& position) const {
+        const T reach = air.radius + glm::abs(position.x) + glm::abs(position.y);
+        const T light = T(2) + (position.x - T(0.5) * position.y) / reach;
+        return airlight::vec3<T>(light, T(0.5) * light, T(0.25) * light);
+    }
+};
+
 /// Slants a little more and a little less than guessed.
 struct UnevenSlants {
     template <typename T>
@@ -158,6 +182,13 @@ float parity_partly_lit(vec3 position) {
     return reach > 0.0 ? clamp(0.5 + (position.x - 0.5 * position.y + 0.25 * position.z) / reach, 0.0, 1.0) : 1.0;
 }
 #define AIRLIGHT_VISIBILITY(position) parity_partly_lit(position)
+
+float parity_partly_seen(vec3 light_position, vec3 position) {
+    vec3 way = light_position - position;
+    float reach = abs(way.x) + abs(way.y) + abs(way.z);
+    return reach > 0.0 ? clamp(0.5 + (way.x - 0.5 * way.y + 0.25 * way.z) / reach, 0.0, 1.0) : 1.0;
+}
+#define AIRLIGHT_LIGHT_VISIBILITY(light_position, position) parity_partly_seen(light_position, position)
 
 float parity_strength(float altitude, float mu_s) {
     return (2.0 + mu_s) * (10000.0 / (10000.0 + altitude));
@@ -203,6 +234,12 @@ vec3 parity_froxel_depth(vec3 uvw) {
     float light = 1.0 + 0.5 * uvw.x + 0.25 * uvw.y;
     return vec3(0.25 * uvw.z, uvw.z, 4.0 * uvw.z) * light;
 }
+vec3 parity_habitat(float radius, vec3 position) {
+    float reach = radius + abs(position.x) + abs(position.y);
+    float light = 2.0 + (position.x - 0.5 * position.y) / reach;
+    return vec3(light, 0.5 * light, 0.25 * light);
+}
+#define AIRLIGHT_HABITAT_LIGHT(position) parity_habitat(air.radius, position)
 vec2 parity_slants(vec2 uv) {
     return vec2(0.03125 * uv.x - 0.0625 * uv.y, 0.0625 * uv.x * uv.y);
 }

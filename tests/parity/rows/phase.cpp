@@ -75,4 +75,13 @@ static const bool sample_henyey_greenstein_phase_row =
         .cpu([](auto u, auto g) { return airlight::sample_henyey_greenstein_phase(u, g); })
         .to_the_bit();
 
+static const bool mie_phase_row =
+    row("mie_phase")
+        .inputs([](Draw& draw) { return std::make_tuple(draw.cosine(), draw.aerosol_parameter()); })
+        .cpu([](auto run, auto cos_theta, auto g) {
+            using R = decltype(run);
+            return airlight::mie_phase<typename R::T, typename R::Scene>(cos_theta, g);
+        })
+        .within_bound();
+
 }  // namespace parity

@@ -10,15 +10,6 @@
 
 namespace parity {
 
-static const bool mie_phase_row =
-    row("mie_phase")
-        .inputs([](Draw& draw) { return std::make_tuple(draw.cosine(), draw.aerosol_parameter()); })
-        .cpu([](auto run, auto cos_theta, auto g) {
-            using R = decltype(run);
-            return airlight::mie_phase<typename R::T, typename R::Scene>(cos_theta, g);
-        })
-        .within_bound();
-
 static const bool lit_ray_row = row("lit_ray")
                                     .inputs(ray_in_air)
                                     .cpu([](auto run, const auto& atmosphere, const auto& air,

@@ -1,0 +1,132 @@
+#include "row.hpp"
+// row.hpp first: see bounded.hpp.
+#include <airlight/strip_scattering.hpp>
+
+#include "../habitats.hpp"
+
+namespace parity {
+
+static const bool habitat_scattering_row =
+    row("habitat_scattering")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const float density = draw.magnitude(1e-6F, 1.0F, {0.0F});
+            return std::make_tuple(air, density, draw.cosine());
+        })
+        .cpu([](auto run, const auto& air, auto density, auto cos_theta) {
+            using R = decltype(run);
+            return airlight::habitat_scattering<typename R::T, typename R::Scene>(air, density, cos_theta);
+        })
+        .within_bound();
+
+static const bool strip_source_row =
+    row("strip_source")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto light = strip_in(draw, air);
+            const auto position = place_in(draw, air);
+            const auto direction = draw.direction();
+            return std::make_tuple(air, light, position, direction, draw.one_of({0, 1, 1, 3}));
+        })
+        .cpu([](auto run, const auto& air, const auto& light, const auto& position, const auto& direction,
+                int pieces) {
+            using R = decltype(run);
+            return airlight::strip_source<typename R::T, typename R::Scene>(air, light, position, direction,
+                                                                            pieces, run.light_visibility);
+        })
+        .within_bound();
+
+static const bool strip_mean_radiance_row =
+    row("strip_mean_radiance")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto light = strip_in(draw, air);
+            const auto position = place_in(draw, air);
+            return std::make_tuple(air, light, position, draw.one_of({0, 1, 1, 3}));
+        })
+        .cpu([](auto run, const auto& air, const auto& light, const auto& position, int pieces) {
+            using R = decltype(run);
+            return airlight::strip_mean_radiance<typename R::T, typename R::Scene>(
+                air, light, position, pieces, run.light_visibility);
+        })
+        .within_bound();
+
+static const bool isotropic_source_row =
+    row("isotropic_source")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto position = place_in(draw, air);
+            return std::make_tuple(air, position, draw.spectrum(0.01F, 10.0F));
+        })
+        .cpu([](auto run, const auto& air, const auto& position, const auto& mean_radiance) {
+            using R = decltype(run);
+            return airlight::isotropic_source<typename R::T, typename R::Scene>(air, position, mean_radiance);
+        })
+        .within_bound();
+
+static const bool nearest_to_strip_row =
+    row("nearest_to_strip")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto light = strip_in(draw, air);
+            const auto eye = place_in(draw, air);
+            const auto direction = draw.direction();
+            return std::make_tuple(light, eye, direction, air.radius * draw.magnitude(1e-3F, 6.0F, {0.0F}));
+        })
+        .cpu([](const auto& light, const auto& eye, const auto& direction, auto distance) {
+            return airlight::nearest_to_strip(light, eye, direction, distance);
+        })
+        .to_the_bit();
+
+static const bool area_sine_row = row("area_sine")
+                                      .inputs([](Draw& draw) {
+                                          return std::make_tuple(draw.magnitude(1e-6F, 1e6F, {0.0F, 0.1F}));
+                                      })
+                                      .cpu([](auto x) { return airlight::area_sine(x); })
+                                      .within_bound();
+
+static const bool peak_node_row =
+    row("peak_node")
+        .inputs([](Draw& draw) {
+            const float distance = draw.magnitude(1.0F, 1e6F, {0.0F});
+            const float peak = distance * draw.number(0.0F, 1.0F);
+            const float width = draw.magnitude(1e-4F, 1e3F) * glm::max(distance, 1.0F);
+            return std::make_tuple(peak, width, distance, draw.one_of({0, 1, 2}));
+        })
+        .cpu([](auto run, auto peak, auto width, auto distance, int i) {
+            using R = decltype(run);
+            return airlight::peak_node<typename R::T, typename R::Scene>(peak, width, distance, i);
+        })
+        .within_bound();
+
+static const bool peak_width_row =
+    row("peak_width")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto light = strip_in(draw, air);
+            const auto position = place_in(draw, air);
+            return std::make_tuple(light, position, air.radius * draw.magnitude(1e-3F, 6.0F, {0.0F}));
+        })
+        .cpu([](const auto& light, const auto& position, auto distance) {
+            return airlight::peak_width(light, position, distance);
+        })
+        .to_the_bit();
+
+static const bool strip_scattering_row =
+    row("strip_scattering")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto light = strip_in(draw, air);
+            return std::tuple_cat(std::make_tuple(air, light), ray_in(draw, air),
+                                  std::make_tuple(draw.one_of({0, 1})));
+        })
+        .count(1024)
+        .cpu([](auto run, const auto& air, const auto& light, const auto& eye, const auto& direction,
+                auto distance, int pieces) {
+            using R = decltype(run);
+            return airlight::strip_scattering<typename R::T, typename R::Scene>(
+                air, light, eye, direction, distance, pieces, run.light_visibility);
+        })
+        .within_bound();
+
+}  // namespace parity
