@@ -30,7 +30,8 @@ static const bool spin_for_gravity_row =
 static const bool habitat_log_density_row = row("habitat_log_density")
                                                 .inputs([](Draw& draw) {
                                                     const auto air = habitat(draw);
-                                                    return std::make_tuple(air, place_in(draw, air));
+                                                    // Behind the wall too, where the density is at its limit.
+            return std::make_tuple(air, draw.magnitude(0.1F, 10.0F, {1.0F}) * place_in(draw, air));
                                                 })
                                                 .cpu([](const auto& air, const auto& position) {
                                                     return airlight::habitat_log_density(air, position);
