@@ -27,16 +27,17 @@ static const bool spin_for_gravity_row =
         .cpu([](auto radius, auto gravity) { return airlight::spin_for_gravity(radius, gravity); })
         .to_the_bit();
 
-static const bool habitat_log_density_row = row("habitat_log_density")
-                                                .inputs([](Draw& draw) {
-                                                    const auto air = habitat(draw);
-                                                    // Behind the wall too, where the density is at its limit.
+static const bool habitat_log_density_row =
+    row("habitat_log_density")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            // Behind the wall too, where the density is at its limit.
             return std::make_tuple(air, draw.magnitude(0.1F, 10.0F, {1.0F}) * place_in(draw, air));
-                                                })
-                                                .cpu([](const auto& air, const auto& position) {
-                                                    return airlight::habitat_log_density(air, position);
-                                                })
-                                                .to_the_bit();
+        })
+        .cpu([](const auto& air, const auto& position) {
+            return airlight::habitat_log_density(air, position);
+        })
+        .to_the_bit();
 
 static const bool habitat_density_row =
     row("habitat_density")
