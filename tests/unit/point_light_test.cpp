@@ -105,8 +105,8 @@ TEST_CASE("the light of a lamp in fog agrees with quadrature") {
             "worst %.2g\n",
             double(thick), percentile(four, 0.95), percentile(four, 1), percentile(eight, 0.95),
             percentile(eight, 1), percentile(in_float, 1));
-        CHECK(percentile(eight, 0.95) <= 2e-3);  // modelling: what is printed, with room
-        CHECK(percentile(in_float, 0.95) <= 2e-3);
+        CHECK(percentile(eight, 0.95) <= 2e-3);     // modelling: what is printed, with room
+        CHECK(percentile(in_float, 0.95) <= 2e-3);  // the same: float adds 1e-6
     }
 }
 

@@ -121,8 +121,8 @@ TEST_CASE("the source of a strip is the integral over the rectangle that it is")
         };
         print("source within 4 widths, " + points, by_phase(Where::near));
         print("isotropic source within 4 widths, " + points, evenly(Where::near));
-        // Modelling: 0.7 % and 0.06 % by 4 points.
-        CHECK(print("source, " + points, by_phase(Where::off)) <= 0.03);
+        // Modelling, as printed: 0.5 % and 0.2 % by 4 points, with room.
+        CHECK(print("source, " + points, by_phase(Where::off)) <= 0.01);
         CHECK(print("isotropic source, " + points, evenly(Where::off)) <= 0.003);
     }
     const auto wrong = [&](Where where) {
@@ -130,7 +130,8 @@ TEST_CASE("the source of a strip is the integral over the rectangle that it is")
             return isotropic_source(air, q, strip_mean_radiance(air, light, q, 16));
         });
     };
-    CHECK(print("isotropic source for the phase functions'", wrong(Where::all)) > 0.5);
+    CHECK(print("isotropic source for the phase functions'", wrong(Where::all)) >
+          0.5);  // as printed: 1.04, so isotropy is no small thing
 }
 
 TEST_CASE("the light of the air before a surface is the integral along the ray") {
@@ -149,7 +150,7 @@ TEST_CASE("the light of the air before a surface is the integral along the ray")
         return print("air, " + what, at(Where::off));
     };
     by_nodes(Six{}, 1);
-    CHECK(by_nodes(DefaultScene{}, 1) <= 0.05);
+    CHECK(by_nodes(DefaultScene{}, 1) <= 2e-3);  // modelling, as printed: 2.4e-4
     by_nodes(DefaultScene{}, 2);
     by_nodes(Twelve{}, 4);
     const auto isotropic = [&](const std::string& kind) {
@@ -164,7 +165,7 @@ TEST_CASE("the light of the air before a surface is the integral along the ray")
         });
     };
     print("air, isotropic, 2000 steps", isotropic("isotropic"));
-    CHECK(print("air, isotropic for the phase functions'", isotropic("phase")) > 0.5);
+    CHECK(print("air, isotropic for the phase functions'", isotropic("phase")) > 0.5);  // as printed: 1.03
 }
 
 TEST_CASE("float is as good as double") {
@@ -187,7 +188,7 @@ TEST_CASE("float is as good as double") {
                                   std::fabs(got.z / exact.z - 1)}));
     }
     print("float against double", apart);
-    CHECK(percentile(apart, 0.95) <= 1e-3);
+    CHECK(percentile(apart, 0.95) <= 1e-5);  // as printed: 8.2e-7, roundoffs of a ray of 30 columns
 }
 
 TEST_CASE_TEMPLATE("absurd habitats, strips and rays give finite light that is not negative", T, float,
