@@ -7015,12 +7015,11 @@ vec3 airlight_habitat_mean_passed(airlight_HabitatAir air, airlight_HabitatLight
 }
 
 // Light of a habitat's strips that the air between the eye and a surface scatters towards the eye, evenly to
-// all sides, by even steps through a table.
+// all sides, by even steps.
 //
-//     sum over steps of t(eye, q) density(q) (rayleigh_scattering + mie_scattering) table(q) distance /
-//     steps
+//     sum of t(eye, q) density(q) (rayleigh_scattering + mie_scattering) light(q) distance / steps
 //
-// Units:    eye [L]; direction a unit vector; distance [L]; result as the table's radiance.
+// Units:    eye [L]; direction a unit vector; distance [L]; result as the light's radiance.
 // Shape:    the result is a spectrum.
 // Domain:   places in the cylinder; steps >= 1.
 // Accuracy: 30 steps: 0.14 % for 95 % of rays; by the tables 2.5 % (light) and 0.48 % (what passes).
