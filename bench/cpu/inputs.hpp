@@ -83,15 +83,12 @@ airlight::Atmosphere<T> atmosphere_of() {
     return out;
 }
 
-/// A habitat 8 km wide with that air, in metres.
+/// A habitat with that aerosol, in metres.
 template <typename T>
 airlight::HabitatAir<T> habitat_of(const airlight::Atmosphere<T>& atmosphere) {
-    return {T(8000),
-            T(7.36e-9),
-            atmosphere.rayleigh_scattering,
-            atmosphere.mie_scattering,
-            atmosphere.mie_absorption,
-            atmosphere.mie_g};
+    airlight::HabitatAir<T> air = airlight::rama_air<T>();
+    air.mie_g = atmosphere.mie_g;
+    return air;
 }
 
 /// One of its lights, on the wall.
@@ -111,12 +108,6 @@ template <typename T>
 airlight::PointLight<T> lamp_of() {
     using vec3 = airlight::vec3<T>;
     return {vec3(T(0), T(0), T(-7990)), vec3(T(1)), vec3(T(0), T(0), T(1)), T(0.9), T(0.5)};
-}
-
-/// All of its lights.
-template <typename T>
-airlight::HabitatLights<T> lights_of() {
-    return {T(24e3), T(5e3), T(16e3), T(100), airlight::vec3<T>(T(1)), T(200), T(1) / T(12)};
 }
 
 }  // namespace cpu_bench

@@ -11,7 +11,10 @@ namespace {
 /// scene's. "type function.parameter" wins over "type parameter".
 const std::map<std::string, std::string> inputs_by_name = {
     {"vec3 a", "draw.direction"},
+    {"vec3 albedo", "draw.color(0, 1)"},
     {"float along", "(atmosphere.ground_radius + draw.altitude) * draw.mu"},
+    {"float strip_corner.across", "draw.choose(2) ? T(1) : T(-1)"},
+    {"float strip_corner.along", "draw.choose(2) ? T(1) : T(-1)"},
     {"float alpha", "draw.between(0, 1)"},
     {"float altitude", "draw.altitude"},
     {"vec3 after", "draw.color(0, 5)"},
@@ -20,6 +23,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float azimuth_cosine", "draw.between(-1, 1)"},
     {"vec3 b", "draw.to_sun"},
     {"vec3 before", "draw.color(0, 5)"},
+    {"vec3 begin", "draw.direction"},
     {"float bend", "T(0.225)"},
     {"float bent", "draw.between(-1, 1)"},
     {"float passed_of_stretch.begin", "draw.between(0, 1)"},
@@ -41,6 +45,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float distance", "draw.distance"},
     {"float droplet_diameter_um", "draw.between(5, 50)"},
     {"float passed_of_stretch.end", "draw.between(1, 2)"},
+    {"vec3 end", "draw.to_sun"},
     {"float excess", "draw.decades(2, 6)"},
     {"float exponent", "draw.between(0.5, 2)"},
     {"float exposure", "draw.between(1, 20)"},
@@ -69,7 +74,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float k", "draw.between(-0.9, 0.9)"},
     {"float light_lost_in_shadow.offset", "draw.between(0, 1)"},
     {"LinearLight light", "strip_of<T>()"},
-    {"HabitatLights lights", "lights_of<T>()"},
+    {"HabitatLights lights", "airlight::rama_lights<T>()"},
     {"PointLight light", "lamp_of<T>()"},
     {"float limb_exponent", "draw.between(0.3, 0.7)"},
     {"float lit", "draw.decades(2, 5)"},
@@ -80,6 +85,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float max_distance", "T(1e5)"},
     {"float middle", "draw.between(-0.5, 0)"},
     {"vec3 mean_radiance", "draw.color(0, 1)"},
+    {"float mie_g", "atmosphere.mie_g"},
     {"float mu", "draw.mu"},
     {"vec3 mie", "draw.color(0, 1)"},
     {"float mu_normal", "draw.mu"},
@@ -105,8 +111,10 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float line_towards_sun.radius", "(atmosphere.ground_radius + draw.altitude)"},
     {"float peak", "draw.between(0, 50)"},
     {"float peak_node.width", "draw.between(10, 100)"},
+    {"float strip_nearness.width", "draw.between(10, 100)"},
     {"vec3 origin", "draw.place()"},
     {"vec3 position", "draw.place()"},
+    {"vec3 light_position", "draw.place()"},
     {"float radius", "atmosphere.ground_radius"},
     {"float range", "T(1e5)"},
     {"vec3 rayleigh", "draw.color(0, 1)"},
@@ -129,6 +137,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"bool sinks", "draw.mu < T(0)"},
     {"vec3 slope", "draw.color(0, 5)"},
     {"vec3 solar_irradiance", "draw.color(1, 2)"},
+    {"float solid_angle", "draw.between(0.1, 6)"},
     {"float slope", "draw.between(-0.5, 0.5)"},
     {"float spin", "draw.between(0, 0.1)"},
     {"float spread", "draw.between(0, 0.1)"},
@@ -139,6 +148,7 @@ const std::map<std::string, std::string> inputs_by_name = {
     {"float to", "draw.between(0.5, 1)"},
     {"float temperature", "draw.between(200, 400)"},
     {"vec3 to", "draw.place()"},
+    {"vec3 to_light", "draw.place()"},
     {"vec3 to_sun", "draw.to_sun"},
     {"float top_altitude", "atmosphere.top_altitude"},
     {"vec3 unit", "draw.color(0, 1)"},
@@ -185,8 +195,10 @@ std::string Parameters::value(const std::string& function, const support::Member
                 return "32";
             }
         }
-        if (parameter.name == "pieces" || parameter.name == "looks") {
-            return "8";
+        for (const char* const number : {"count", "directions", "looks", "pieces"}) {
+            if (parameter.name == number) {
+                return "8";
+            }
         }
         return parameter.name == "steps" ? "16" : "draw.below(4)";  // an index of nodes, of which there are 4
     }

@@ -6,7 +6,6 @@
 #include "airlight/dawson.glsl"
 #include "airlight/gauss.glsl"
 #include "airlight/numeric.glsl"
-#include "airlight/phase.glsl"
 
 // The air of a habitat: a cylinder about the x axis that spins, and presses its air to the wall. Without
 // spin the air is even, and the same structure is a fog without walls.

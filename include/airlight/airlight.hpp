@@ -75,8 +75,12 @@
 #include <airlight/habitat.hpp>
 #include <airlight/linear_light.hpp>
 
+#include <airlight/habitat_indirect.hpp>
+#include <airlight/habitat_irradiance.hpp>
 #include <airlight/habitat_mapping.hpp>
+#include <airlight/strip_phases.hpp>
 #include <airlight/strip_scattering.hpp>
 
 #include <airlight/habitat_scattering.hpp>
+#include <airlight/habitats.hpp>
 #include <airlight/point_light.hpp>

@@ -4,7 +4,6 @@
 #include <airlight/dawson.hpp>
 #include <airlight/gauss.hpp>
 #include <airlight/numeric.hpp>
-#include <airlight/phase.hpp>
 
 namespace airlight {
 

@@ -56,6 +56,16 @@ inline airlight::LinearLight<float> strip_in(Draw& draw, const airlight::Habitat
                                         radiance};
 }
 
+/// On the inner side of a strip, from a fiftieth of its width to 20 widths off.
+inline auto strip_and_place_near_it(Draw& draw, const airlight::HabitatAir<float>& air) {
+    const auto light = strip_in(draw, air);
+    const float along = draw.number(-1.2F, 1.2F, {0.0F}) * light.half_length;
+    const float across = draw.number(-4.0F, 4.0F, {0.0F}) * light.width;
+    const float height = draw.magnitude(0.02F, 20.0F) * light.width;
+    const auto off = airlight::vec3<float>(along, across, height);
+    return std::make_tuple(light, light.centre + off);
+}
+
 /// Six strips of the document's proportions, and others.
 inline airlight::HabitatLights<float> lights_in(Draw& draw, const airlight::HabitatAir<float>& air) {
     const float half_length = air.radius * draw.magnitude(1.0F, 10.0F, {3.0F});

@@ -52,6 +52,7 @@ struct TestHooks {
     using FroxelTable = UnevenFroxels;
     using SlantTable = UnevenSlants;
     using HabitatLight = UnevenHabitat;
+    using IndirectIrradiance = UnevenWall;
     template <typename Scene>
     using TransmittanceToSpace = EveningLight;
 };
@@ -63,6 +64,7 @@ struct DefaultHooks {
     using FroxelTable = airlight::NoFroxels;
     using SlantTable = airlight::NoSlantTable;
     using HabitatLight = airlight::BareHabitatLight;
+    using IndirectIrradiance = airlight::NoIndirectIrradiance;
     template <typename Scene>
     using TransmittanceToSpace = airlight::ComputedTransmittance<Scene>;
 };
@@ -79,6 +81,7 @@ struct Run {
     typename Hooks::FroxelTable froxel_table{};
     typename Hooks::SlantTable slant_table{};
     typename Hooks::HabitatLight habitat_light{};
+    typename Hooks::IndirectIrradiance indirect_irradiance{};
     typename Hooks::template TransmittanceToSpace<SceneType> transmittance_to_space{};
 };
 

@@ -6,7 +6,7 @@
 #include <airlight/diffuse_light.hpp>
 #include <airlight/froxel_table.hpp>
 #include <airlight/gathered_light.hpp>
-#include <airlight/habitat_scattering.hpp>
+#include <airlight/habitat_indirect.hpp>
 #include <airlight/scene.hpp>
 #include <array>
 #include <cstddef>
@@ -156,6 +156,16 @@ struct UnevenHabitat {
     }
 };
 
+/// Indirect irradiance of a habitat's wall that differs along each coordinate.
+struct UnevenWall {
+    template <typename T>
+    airlight::vec3<T> operator()(const airlight::vec3<T>& position) const {
+        const T reach = T(1) + glm::abs(position.x) + glm::abs(position.y) + glm::abs(position.z);
+        const T light = T(2) + (position.x - T(0.5) * position.y + T(0.25) * position.z) / reach;
+        return airlight::vec3<T>(T(0.5) * light, light, T(0.25) * light);
+    }
+};
+
 /// Slants a little more and a little less than guessed.
 struct UnevenSlants {
     template <typename T>
@@ -240,6 +250,12 @@ vec3 parity_habitat(float radius, vec3 position) {
     return vec3(light, 0.5 * light, 0.25 * light);
 }
 #define AIRLIGHT_HABITAT_LIGHT(position) parity_habitat(air.radius, position)
+vec3 parity_wall(vec3 position) {
+    float reach = 1.0 + abs(position.x) + abs(position.y) + abs(position.z);
+    float light = 2.0 + (position.x - 0.5 * position.y + 0.25 * position.z) / reach;
+    return vec3(0.5 * light, light, 0.25 * light);
+}
+#define AIRLIGHT_INDIRECT_IRRADIANCE(position) parity_wall(position)
 vec2 parity_slants(vec2 uv) {
     return vec2(0.03125 * uv.x - 0.0625 * uv.y, 0.0625 * uv.x * uv.y);
 }

@@ -95,6 +95,27 @@ Verdict habitat_promises(const airlight::HabitatAir<T>& air, const airlight::Lin
                   is_amount(habitat_scattering_marched(air, six, eye, direction, distance, 4)));
     verdict.holds("habitat_mean_passed is an amount", is_amount(habitat_mean_passed(air, six, eye, 1)));
     verdict.holds("unit_from_habitat is a share", is_share(unit_from_habitat(air, six, eye)));
+
+    const StripPart<T> part = strip_part_above(view, normal);
+    verdict.holds("the part of a strip above a plane is on it",
+                  part.begin >= view.begin && part.begin <= part.end && part.end <= view.end);
+    const vec3<T> in_air = strip_irradiance_in_air(air, light, eye, normal, 1);
+    verdict.holds("strip_irradiance_in_air is an amount", is_amount(in_air));
+    verdict.holds("and no more than without air", in_air.x <= T(1.00001L) * lit.x);
+    verdict.holds("habitat_irradiance is an amount", is_amount(habitat_irradiance(air, six, eye, normal, 1)));
+    const HabitatWall<T> wall = habitat_wall(air, six, eye, direction);
+    verdict.holds("habitat_wall is a place", is_amount(wall.distance) && is_finite(wall.position.x) &&
+                                                 is_finite(wall.position.y) && is_finite(wall.position.z));
+    verdict.holds("a wall's normal has length 1",
+                  glm::abs(dot_product(wall.normal, wall.normal) - T(1)) <= T(1e-5L));
+    const vec3<T> albedo = vec3<T>(glm::abs(normal.x), T(1), T(0));
+    verdict.holds("habitat_wall_radiance is an amount",
+                  is_amount(habitat_wall_radiance(air, six, albedo, wall.position, wall.normal)));
+    verdict.holds("habitat_radiance is an amount",
+                  is_amount(habitat_radiance(air, six, albedo, eye, direction)));
+    const HabitatIndirect<T> gathered = gathered_habitat_light(air, six, albedo, eye, 3);
+    verdict.holds("gathered_habitat_light is an amount",
+                  is_amount(gathered.mean) && is_amount(gathered.irradiance));
     return verdict;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <airlight/habitats.hpp>
 #include <airlight/tables/habitat.hpp>
 
 #include "error_metrics.hpp"
@@ -14,23 +15,6 @@ using namespace airlight_test;
 using namespace airlight;
 
 namespace {
-
-/// The document's, in metres, with Earth's air.
-template <typename T>
-HabitatAir<T> air() {
-    const T spin = spin_for_gravity(T(8000), T(9.81L));
-    return HabitatAir<T>{T(8000),
-                         spun_density_rise(spin, T(287.05L), T(288.15L)),
-                         vec3<T>(T(5.802e-6L), T(13.558e-6L), T(33.1e-6L)),
-                         vec3<T>(T(3.996e-6L)),
-                         vec3<T>(T(0.44e-6L)),
-                         T(0.8L)};
-}
-
-template <typename T>
-HabitatLights<T> lights() {
-    return HabitatLights<T>{T(24e3), T(5e3), T(16e3), T(100), vec3<T>(T(1)), T(200), T(1) / T(12)};
-}
 
 /// The strips themselves, at 4 points each, and at 32.
 template <int Pieces>
@@ -85,8 +69,8 @@ double print(const char* what, std::vector<double> errors) {
 TEST_SUITE_BEGIN("habitat_scattering");
 
 TEST_CASE("the light of six strips is the sum of each one's, and the same from all six sides") {
-    const HabitatAir<double> even = air<double>();
-    const HabitatLights<double> six = lights<double>();
+    const HabitatAir<double> even = rama_air<double>();
+    const HabitatLights<double> six = rama_lights<double>();
     const vec3<double> on_axis = habitat_mean_radiance(even, six, vec3<double>(0), 4);
     // In the middle of the axis all six are alike.
     const vec3<double> one = strip_mean_radiance(even, habitat_strip(even, six, 0), vec3<double>(0), 4);
@@ -100,8 +84,8 @@ TEST_CASE("the light of six strips is the sum of each one's, and the same from a
 }
 
 TEST_CASE("marched and by nodes, computed and by tables, against the exact isotropic integral") {
-    const HabitatAir<double> medium = air<double>();
-    const HabitatLights<double> six = lights<double>();
+    const HabitatAir<double> medium = rama_air<double>();
+    const HabitatLights<double> six = rama_lights<double>();
     const Table<vec3<double>> light = bake_habitat_light(medium, six);
     const Table<vec3<double>> passed = bake_habitat_passed(medium, six);
     const Table<vec3<double>> small = bake_habitat_passed(medium, six, 25, 9, 9);
@@ -154,14 +138,14 @@ TEST_CASE("by hand: even light in thin even air is as much as the way is long") 
     const vec3<double> eye(0, 0, -7000);
     const vec3<double> direction(0, 0, 1);
     const vec3<double> marched =
-        habitat_scattering_marched(thin, lights<double>(), eye, direction, 1e4, 3, even);
+        habitat_scattering_marched(thin, rama_lights<double>(), eye, direction, 1e4, 3, even);
     CHECK(marched.x == doctest::Approx(3 * 1e-12 * 1e4).epsilon(1e-7));  // depth 1e-8
     const vec3<double> by_nodes =
-        habitat_scattering_by_nodes(thin, lights<double>(), eye, direction, 1e4, even);
+        habitat_scattering_by_nodes(thin, rama_lights<double>(), eye, direction, 1e4, even);
     CHECK(by_nodes.x ==
           doctest::Approx(3 * 1e-12 * 1e4).epsilon(1e-6));  // the nodes' own for an even integrand
-    CHECK(habitat_scattering_marched(thin, lights<double>(), eye, direction, 1e4, 0, even).x == 0);
-    CHECK(habitat_scattering_by_nodes(thin, lights<double>(), eye, direction, 0.0, even).x == 0);
+    CHECK(habitat_scattering_marched(thin, rama_lights<double>(), eye, direction, 1e4, 0, even).x == 0);
+    CHECK(habitat_scattering_by_nodes(thin, rama_lights<double>(), eye, direction, 0.0, even).x == 0);
 }
 
 TEST_SUITE_END();

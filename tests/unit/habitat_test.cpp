@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 #include <airlight/arc_tangent.hpp>
 #include <airlight/habitat.hpp>
+#include <airlight/habitats.hpp>
 
 #include "samplers.hpp"
 #include "story.hpp"
@@ -14,21 +15,9 @@ using namespace airlight;
 
 namespace {
 
-/// The document's cylinder with Earth's air at 15 degrees, in metres.
-template <typename T>
-HabitatAir<T> rama() {
-    const T spin = spin_for_gravity(T(8000), T(9.81L));
-    return HabitatAir<T>{T(8000),
-                         spun_density_rise(spin, T(287.05L), T(288.15L)),
-                         vec3<T>(T(5.802e-6L), T(13.558e-6L), T(33.1e-6L)),
-                         vec3<T>(T(3.996e-6L)),
-                         vec3<T>(T(0.44e-6L)),
-                         T(0.8L)};
-}
-
 template <typename T>
 HabitatAir<T> with_rise(T rise, T radius) {
-    HabitatAir<T> air = rama<T>();
+    HabitatAir<T> air = rama_air<T>();
     air.density_rise = rise;
     air.radius = radius;
     return air;
@@ -45,7 +34,7 @@ TEST_SUITE_BEGIN("habitat");
 
 TEST_CASE_TEMPLATE("on the axis of a habitat with Earth's weight at its wall there is 62 % of the wall's air",
                    T, float, double, long double) {
-    const HabitatAir<T> air = rama<T>();
+    const HabitatAir<T> air = rama_air<T>();
     // k R^2 = g R / (2 R_s T) = 9.81 * 8000 / (2 * 287.05 * 288.15), by hand.
     const long double logarithm = 9.81L * 8000 / (2 * 287.05L * 288.15L);
     CHECK(std::fabs(static_cast<long double>(habitat_log_density(air, vec3<T>(T(0)))) + logarithm) <=
@@ -70,7 +59,7 @@ TEST_CASE_TEMPLATE("without spin the column is the way", T, float, double, long 
 
 TEST_CASE_TEMPLATE("a column is the same in both directions, and the sum of its parts", T, float, double) {
     Random random(600);
-    const HabitatAir<T> air = rama<T>();
+    const HabitatAir<T> air = rama_air<T>();
     for (int i = 0; i < 2000; ++i) {
         const auto place = [&random] {
             const double x = random.uniform(-24e3, 24e3);
@@ -91,7 +80,7 @@ TEST_CASE_TEMPLATE("a column is the same in both directions, and the sum of its 
 TEST_CASE_TEMPLATE(
     "all that passes comes back: transmittance is the same in both directions and falls with the way", T,
     float, double) {
-    const HabitatAir<T> air = rama<T>();
+    const HabitatAir<T> air = rama_air<T>();
     const vec3<T> eye(T(-20e3L), T(0), T(-7990));
     T before = T(2);
     for (int i = 0; i <= 40; ++i) {

@@ -1,8 +1,8 @@
 #pragma once
 
-// CPU only. The table of the light of a habitat's strips, and the table as a hook.
+// CPU only. Tables of the light of a habitat's strips and of its indirect light, and the tables as hooks.
 
-#include <airlight/habitat_scattering.hpp>
+#include <airlight/habitat_indirect.hpp>
 #include <airlight/tables/table.hpp>
 
 namespace airlight {
@@ -88,5 +88,71 @@ struct HabitatPassedTable {
         return habitat_bare_radiance(air, lights, position) * sample_habitat(air, lights, *table, position);
     }
 };
+
+/// The indirect light of a habitat, in the coordinates of its other tables.
+template <typename T>
+struct HabitatIndirectTables {
+    Table<vec3<T>> mean;        ///< HabitatIndirect::mean
+    Table<vec3<T>> irradiance;  ///< HabitatIndirect::irradiance
+};
+
+/// Hook: a habitat's mean radiance, straight from the strips by another hook and indirect by a table.
+template <typename T, typename StraightLight>
+struct HabitatWithIndirect {
+    const Table<vec3<T>>* mean;
+    StraightLight straight_light;
+
+    vec3<T> operator()(const HabitatAir<T>& air, const HabitatLights<T>& lights,
+                       const vec3<T>& position) const {
+        return straight_light(air, lights, position) + sample_habitat(air, lights, *mean, position);
+    }
+};
+
+/// Hook: the indirect irradiance of a habitat's wall by a table.
+template <typename T>
+struct HabitatIrradianceTable {
+    const HabitatAir<T>* air;
+    const HabitatLights<T>* lights;
+    const Table<vec3<T>>* irradiance;
+
+    vec3<T> operator()(const vec3<T>& position) const {
+        return sample_habitat(*air, *lights, *irradiance, position);
+    }
+};
+
+/// Fills the tables of indirect light, a bounce at a time: what the walls and the air scatter of the strips'
+/// light, then of that, and so on.
+///
+/// Units:    albedo of the walls [1]; texels as radiance, irradiance times sr; sizes in texels.
+/// Shape:    albedo is a spectrum.
+/// Domain:   that of gathered_habitat_light; sizes >= 2; bounces >= 0; straight_light gives the strips' own.
+/// Accuracy: that of gathered_habitat_light in each bounce.
+/// Errors:   none; without bounces no light.
+/// Source:   Rama, whose indirect light has two bounces.
+template <typename T, typename Scene = DefaultScene, typename StraightLight = BareHabitatLight,
+          typename Rows = OneAfterAnother>
+HabitatIndirectTables<T> bake_habitat_indirect(const HabitatAir<T>& air, const HabitatLights<T>& lights,
+                                               const vec3<T>& albedo, int bounces = 2, int width = 25,
+                                               int height = 9, int depth = 9, int directions = 128,
+                                               const StraightLight& straight_light = StraightLight{},
+                                               const Rows& rows = Rows{}) {
+    HabitatIndirectTables<T> last{make_table<vec3<T>>(width, height, depth),
+                                  make_table<vec3<T>>(width, height, depth)};
+    for (int bounce = 0; bounce < bounces; ++bounce) {
+        HabitatIndirectTables<T> next = last;
+        const HabitatWithIndirect<T, StraightLight> light{&last.mean, straight_light};
+        const HabitatIrradianceTable<T> irradiance{&air, &lights, &last.irradiance};
+        const auto texel = [&](int i, int j, int k) {
+            const HabitatIndirect<T> gathered = gathered_habitat_light<T, Scene>(
+                air, lights, albedo, habitat_of_texel(air, lights, last.mean, i, j, k), directions,
+                AlwaysSeen{}, light, irradiance);
+            next.irradiance.texel(i, j, k) = gathered.irradiance;
+            return gathered.mean;
+        };
+        bake_table(next.mean, texel, rows);
+        last = next;
+    }
+    return last;
+}
 
 }  // namespace airlight

@@ -46,11 +46,84 @@ static const bool strip_point_row =
         .cpu([](const auto& view, auto share) { return airlight::strip_point(view, share); })
         .to_the_bit();
 
+static const bool strip_corner_row =
+    row("strip_corner")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto light = strip_in(draw, air);
+            const auto position = place_in(draw, air);
+            const float along = draw.one_of({0, 1}) == 0 ? -1.0F : 1.0F;
+            const float across = draw.one_of({0, 1}) == 0 ? -1.0F : 1.0F;
+            return std::make_tuple(light, position, along, across);
+        })
+        .cpu([](const auto& light, const auto& position, auto along, auto across) {
+            return airlight::strip_corner(light, position, along, across);
+        })
+        .to_the_bit();
+
+static const bool strip_nearness_row =
+    row("strip_nearness")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto [light, position] = strip_and_place_near_it(draw, air);
+            return std::make_tuple(airlight::strip_view(light, position), light.width);
+        })
+        .cpu([](const auto& view, auto width) { return airlight::strip_nearness(view, width); })
+        .to_the_bit();
+
+static const bool strip_part_above_row =
+    row("strip_part_above")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto light = strip_in(draw, air);
+            const auto position = place_in(draw, air);
+            return std::make_tuple(airlight::strip_view(light, position), draw.direction());
+        })
+        .cpu([](const auto& view, const auto& normal) { return airlight::strip_part_above(view, normal); })
+        .to_the_bit();
+
+static const bool arc_irradiance_row = row("arc_irradiance")
+                                           .inputs([](Draw& draw) {
+                                               const auto begin = draw.direction();
+                                               const auto end = draw.direction();
+                                               return std::make_tuple(begin, end, draw.direction());
+                                           })
+                                           .cpu([](const auto& begin, const auto& end, const auto& normal) {
+                                               return airlight::arc_irradiance(begin, end, normal);
+                                           })
+                                           .to_the_bit();
+
+static const bool light_edge_row = row("light_edge")
+                                       .inputs([](Draw& draw) {
+                                           const auto begin = draw.direction();
+                                           const auto end = draw.direction();
+                                           return std::make_tuple(begin, end, draw.direction());
+                                       })
+                                       .cpu([](const auto& begin, const auto& end, const auto& normal) {
+                                           return airlight::light_edge(begin, end, normal);
+                                       })
+                                       .to_the_bit();
+
+static const bool near_strip_irradiance_row =
+    row("near_strip_irradiance")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto [light, position] = strip_and_place_near_it(draw, air);
+            return std::make_tuple(light, position, draw.direction());
+        })
+        .cpu([](const auto& light, const auto& position, const auto& normal) {
+            return airlight::near_strip_irradiance(light, position, normal);
+        })
+        .to_the_bit();
+
 static const bool strip_irradiance_row =
     row("strip_irradiance")
         .inputs([](Draw& draw) {
-            const auto [light, position] = strip_and_place(draw);
-            return std::make_tuple(light, position, draw.direction());
+            const auto air = habitat(draw);
+            const auto near = strip_and_place_near_it(draw, air);
+            const auto anywhere = strip_and_place(draw);
+            return std::tuple_cat(draw.one_of({0, 1}) == 0 ? near : anywhere,
+                                  std::make_tuple(draw.direction()));
         })
         .cpu([](const auto& light, const auto& position, const auto& normal) {
             return airlight::strip_irradiance(light, position, normal);

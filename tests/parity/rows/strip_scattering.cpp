@@ -19,6 +19,50 @@ static const bool habitat_scattering_row =
         })
         .within_bound();
 
+static const bool light_reaching_row =
+    row("light_reaching")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto light_position = place_in(draw, air);
+            return std::make_tuple(air, light_position, place_in(draw, air));
+        })
+        .cpu([](auto run, const auto& air, const auto& light_position, const auto& position) {
+            using R = decltype(run);
+            return airlight::light_reaching<typename R::T, typename R::Scene>(air, light_position, position,
+                                                                              run.light_visibility);
+        })
+        .within_bound();
+
+static const bool strip_cosine_row =
+    row("strip_cosine")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto view = airlight::strip_view(strip_in(draw, air), place_in(draw, air));
+            const auto to_light = airlight::strip_point(view, draw.number(0.001F, 0.999F, {0.5F}));
+            return std::make_tuple(view, to_light, draw.direction());
+        })
+        .cpu([](const auto& view, const auto& to_light, const auto& direction) {
+            return airlight::strip_cosine(view, to_light, direction);
+        })
+        .to_the_bit();
+
+static const bool air_beside_strip_row =
+    row("air_beside_strip")
+        .inputs([](Draw& draw) {
+            const auto air = habitat(draw);
+            const auto [light, position] = strip_and_place_near_it(draw, air);
+            const auto view = airlight::strip_view(light, position);
+            const auto direction = draw.direction();
+            return std::make_tuple(air, light, view, position, direction, draw.one_of({0, 1, 1, 3}));
+        })
+        .cpu([](auto run, const auto& air, const auto& light, const auto& view, const auto& position,
+                const auto& direction, int pieces) {
+            using R = decltype(run);
+            return airlight::air_beside_strip<typename R::T, typename R::Scene>(air, light, view, position,
+                                                                                direction, pieces);
+        })
+        .within_bound();
+
 static const bool strip_source_row =
     row("strip_source")
         .inputs([](Draw& draw) {
