@@ -7,36 +7,7 @@
 #include "support/presets.hpp"
 
 namespace reference {
-namespace {
-
 using namespace airlight;
-
-/// Cosine with the distribution of cornette_shanks_phase: Henyey and Greenstein's, of which each is kept with
-/// the chance that it lacks, (1 + x^2) / 2.
-double sample_cornette_shanks(double g, Random& random) {
-    for (;;) {
-        const double x = sample_henyey_greenstein_phase(random(), g);
-        if (2 * random() <= 1 + x * x) {
-            return x;
-        }
-    }
-}
-
-}  // namespace
-
-Vector turned(const Vector& direction, double cosine, Random& random) {
-    // Duff et al., Building an Orthonormal Basis, Revisited (2017).
-    const double sign = std::copysign(1.0, direction.z);
-    const double a = -1.0 / (sign + direction.z);
-    const double b = direction.x * direction.y * a;
-    const Vector side(1 + sign * direction.x * direction.x * a, sign * b, -sign * direction.x);
-    const Vector other(b, sign + direction.y * direction.y * a, -direction.y);
-    const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
-    const double angle = 2 * pi<double> * random();
-    const Vector out =
-        direction * cosine + side * (sine * std::cos(angle)) + other * (sine * std::sin(angle));
-    return out / glm::length(out);
-}
 
 Air::Air(const Atmosphere<double>& atmosphere, int ozone, int channel)
     : atmosphere_(atmosphere), ozone_(ozone), channel_(channel) {

@@ -3,14 +3,11 @@
 // The air of one colour, as a random walk needs it.
 
 #include <airlight/atmosphere.hpp>
-#include <airlight/types.hpp>
 #include <vector>
 
-#include "random.hpp"
+#include "directions.hpp"
 
 namespace reference {
-
-using Vector = airlight::vec3<double>;
 
 /// What the air does per metre at one place [1/m].
 struct Coefficients {
@@ -78,8 +75,5 @@ class Air {
     std::vector<double> shells_;    // [m] radii, the ground's first, the air's top last
     std::vector<double> majorant_;  // [1/m] no extinction between shells i and i + 1 is larger
 };
-
-/// A unit vector at an angle to another, turned about it evenly.
-Vector turned(const Vector& direction, double cosine, Random& random);
 
 }  // namespace reference

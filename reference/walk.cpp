@@ -3,6 +3,8 @@
 #include <airlight/phase.hpp>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace reference {
 namespace {
@@ -21,11 +23,6 @@ std::uint64_t walks_in_group(std::uint64_t walks, const Effort& effort) {
 
 Vector unit(const Vector& v) {
     return v / glm::length(v);
-}
-
-/// A direction from a Lambert surface.
-Vector from_ground(const Vector& up, Random& random) {
-    return turned(up, std::sqrt(1 - random()), random);
 }
 
 /// Distances along a view ray, by cells: mostly in proportion to the sunlight that is scattered there and
@@ -109,7 +106,7 @@ struct Step {
 Step free_step(const Air& air, const Coefficients& here, const Vector& position, const Vector& direction,
                bool on_ground, Random& random) {
     const Vector towards =
-        on_ground ? from_ground(unit(position), random) : air.scattered(here, direction, random);
+        on_ground ? from_surface(unit(position), random) : air.scattered(here, direction, random);
     const Flight flight = air.fly(position, towards, random);
     double weight = 1;
     if (flight.end == End::met_air) {
@@ -133,7 +130,7 @@ Step guided_step(const Air& air, const Light& light, const Coefficients& here, c
     const double kind = random();
     Vector towards;
     if (kind < 1.0 / 3) {
-        towards = on_ground ? from_ground(up, random) : air.scattered(here, direction, random);
+        towards = on_ground ? from_surface(up, random) : air.scattered(here, direction, random);
     } else {
         const double lobe = kind < 2.0 / 3 ? wide_lobe : narrow_lobe;
         towards = turned(glow, airlight::sample_henyey_greenstein_phase(random(), lobe), random);
@@ -223,19 +220,6 @@ void walk_back(const Air& air, const Light& light, Vector position, Vector direc
 }
 
 }  // namespace
-
-Estimate Tally::estimate() const {
-    const auto count = static_cast<double>(means_.size());
-    double mean = 0;
-    for (const double m : means_) {
-        mean += m / count;
-    }
-    double squares = 0;
-    for (const double m : means_) {
-        squares += (m - mean) * (m - mean);
-    }
-    return Estimate{mean, std::sqrt(squares / (count * (count - 1)))};
-}
 
 ViewRay view_ray(const Air& air, const Vector& eye, const Vector& direction) {
     const double rise = glm::dot(eye, direction);
@@ -339,7 +323,7 @@ Estimate absorbed_by_ground(const Air& air, const Effort& effort) {
                     if (random() >= air.albedo()) {
                         break;
                     }
-                    direction = from_ground(unit(position), random);
+                    direction = from_surface(unit(position), random);
                     continue;
                 }
                 const Coefficients here = air.at(glm::length(position) - air.ground_radius());
@@ -370,7 +354,7 @@ Estimate absorbed_by_ground_backwards(const Air& air, const Effort& effort) {
             if (cosine > 0) {
                 tally.add(weight * cosine * air.to_space(position, light.to_sun));
             }
-            const Vector direction = from_ground(up, random);
+            const Vector direction = from_surface(up, random);
             const Flight flight = air.fly(position, direction, random);
             if (flight.end == End::met_air) {
                 const Coefficients there = air.at(glm::length(flight.position) - air.ground_radius());

@@ -4,10 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
 #include "air.hpp"
+#include "estimate.hpp"
 
 namespace reference {
 
@@ -23,33 +22,10 @@ struct Light {
 /// as scattered once more.
 inline constexpr int kept_orders = 12;
 
-/// A mean and how far it may be off.
-struct Estimate {
-    double mean = 0;
-    double error = 0;  ///< standard error of the mean
-};
-
 /// Radiance that the air adds to a view ray, without what lies behind it [1/sr].
 struct Radiance {
     Estimate total;
     std::array<Estimate, kept_orders> order;  ///< [0] is light scattered once
-};
-
-/// Numbers that are added up in groups: the spread of the groups' means is the standard error.
-class Tally {
-  public:
-    void add(double value) {
-        sum_ += value;
-    }
-    void close_group(std::uint64_t count) {
-        means_.push_back(sum_ / static_cast<double>(count));
-        sum_ = 0;
-    }
-    Estimate estimate() const;
-
-  private:
-    double sum_ = 0;
-    std::vector<double> means_;
 };
 
 /// A view ray: where its stretch in the air begins and how long it is.
