@@ -16,6 +16,7 @@ inline bool even_height(const support::TableSize& size) {
 std::vector<Kind> transmittance_kinds();
 std::vector<Kind> diffuse_kinds();
 std::vector<Kind> frame_kinds();
+std::vector<Kind> habitat_kinds();
 std::vector<Kind> hillaire_kinds();
 std::vector<Kind> scattering_kinds();
 

@@ -9,8 +9,8 @@ namespace bake_tables {
 const std::vector<Kind>& kinds() {
     static const std::vector<Kind> all = [] {
         std::vector<Kind> together;
-        for (const auto& family :
-             {transmittance_kinds(), hillaire_kinds(), diffuse_kinds(), scattering_kinds(), frame_kinds()}) {
+        for (const auto& family : {transmittance_kinds(), hillaire_kinds(), diffuse_kinds(),
+                                   scattering_kinds(), frame_kinds(), habitat_kinds()}) {
             together.insert(together.end(), family.begin(), family.end());
         }
         return together;
@@ -30,9 +30,10 @@ const Kind& kind_named(const std::string& name) {
 }
 
 support::TableDescription describe(const Kind& kind, const Request& request) {
-    support::TableWorld world = by_scene<double>(request.preset, [](auto scene, const auto& air) {
-        return support::table_world<decltype(scene)>(air);
-    });
+    support::TableWorld world =
+        kind.world ? kind.world(request) : by_scene<double>(request.preset, [](auto scene, const auto& air) {
+            return support::table_world<decltype(scene)>(air);
+        });
     if (kind.has_orders) {
         world["orders"] = std::to_string(request.orders);
     }

@@ -61,6 +61,9 @@ struct Kind {
         return true;
     };
 
+    /// What texels depend on, where that is not the whole atmosphere and the scene.
+    std::function<support::TableWorld(const Request&)> world = {};
+
     std::function<Numbers(const Request&, const support::Rows&)> on_cpu = {};
     std::function<std::vector<double>(const Request&, const support::Rows&)> in_double = {};
     std::function<Numbers(const Request&, GpuBaker&)> on_gpu = {};

@@ -125,7 +125,8 @@ int main(int argc, char** argv) {
               "one of those below; may be given again (default: all)")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_value(app, "--atmosphere", "<name>", options.atmosphere,
-              "earth, cs562, elek, leenman or mars (default earth)");
+              "earth, cs562, elek, leenman or mars; a habitat has the air and albedo of its ground (default "
+              "earth)");
     add_value(app, "--size", "<WxH or WxHxD>", options.size,
               "texels; of one table only (default: the table's own)");
     add_value(app, "--orders", "<count>", options.orders,
