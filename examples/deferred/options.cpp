@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 
 #include "by_name.hpp"
+#include "option_values.hpp"
 #include "support/error.hpp"
 
 #ifndef DEFERRED_HEIGHT_MAP
@@ -16,41 +16,24 @@
 namespace deferred {
 namespace {
 
-// Larger pictures are no use here: the CPU's pass alone would take an hour.
-constexpr int largest_size = 8192;
 // North is not defined further from the landscape than a quarter of the planet.
 constexpr double largest_offset_km = 3000;
 constexpr int most_frames = 10000;  // four digits
 
-[[noreturn]] void fail(const std::string& what) {
-    throw support::Error(what + "; see --help");
-}
-
-void require_range(const std::string& option, double value, double least, double most) {
-    if (!(value >= least && value <= most)) {
-        char text[160];
-        std::snprintf(text, sizeof text, "%s %g is out of range; give %g to %g", option.c_str(), value, least,
-                      most);
-        fail(text);
-    }
-}
-
-void parse_size(const std::string& option, const std::string& text, int& width, int& height) {
-    char rest = 0;
-    long w = 0;
-    long h = 0;
-    if (text.size() > 20 || std::sscanf(text.c_str(), "%ldx%ld%c", &w, &h, &rest) != 2) {
-        fail(option + " '" + text + "' is not understood; write it like 640x360");
-    }
-    if (w < 1 || h < 1 || w > largest_size || h > largest_size) {
-        fail(option + " " + text + " is out of range; give 1 to " + std::to_string(largest_size) +
-             " pixels each way");
-    }
-    width = int(w);
-    height = int(h);
-}
-
 }  // namespace
+
+bool asks_for_habitat(int count, char** arguments) {
+    std::string scene;
+    for (int i = 1; i < count; ++i) {
+        const std::string argument = arguments[i];
+        if (argument == "--scene" && i + 1 < count) {
+            scene = arguments[i + 1];
+        } else if (argument.rfind("--scene=", 0) == 0) {
+            scene = argument.substr(8);
+        }
+    }
+    return scene == scene_names()[1];
+}
 
 std::optional<Options> parse_options(int count, char** arguments) {
     CLI::App app(
@@ -65,6 +48,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     std::string size = "640x360";
     std::vector<std::string> window_sizes;
     std::string preset = "earth";
+    std::string scene;
     std::string exposure = "auto";
     std::string shafts = "none";
     std::string glint = "microfacets";
@@ -91,6 +75,10 @@ std::optional<Options> parse_options(int count, char** arguments) {
     bool headless = false;
     std::string sequence;
 
+    app.add_option("--scene", scene,
+                   "planet, or habitat: the inside of a cylinder with lights of its own, see --scene habitat "
+                   "--help; planet if not given")
+        ->check(CLI::IsMember(scene_names()));
     app.add_flag("--window", options.window,
                  "Open a window on the first camera and sun; it says there which keys do what");
     app.add_option("--coarseness", options.coarseness,
@@ -189,7 +177,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
         std::cout << app.help();
         return std::nullopt;
     } catch (const CLI::ParseError& error) {
-        fail(error.what());
+        refuse_option(error.what());
     }
 
     parse_size("--size", size, options.width, options.height);
@@ -208,7 +196,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
         camera_names = {"ground"};
     }
     if (altitude && height) {
-        fail("--altitude and --height both say how high the camera is; give one");
+        refuse_option("--altitude and --height both say how high the camera is; give one");
     }
     for (const std::string& name : camera_names) {
         Camera camera = by_name(named_cameras(), name, "camera");
@@ -247,12 +235,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     require_range("--heightmap-step", options.step_east, 10, 1000);
     require_range("--heightmap-step", options.step_north, 10, 1000);
     if (exposure != "auto") {
-        char* end = nullptr;
-        options.exposure = std::strtod(exposure.c_str(), &end);
-        if (exposure.empty() || *end != 0) {
-            fail("--exposure '" + exposure + "' is neither auto nor a number");
-        }
-        require_range("--exposure", *options.exposure, 1e-6, 1e12);
+        options.exposure = parse_exposure(exposure);
     }
     for (const Switch& s : switches) {
         *s.value = s.word == "on";
@@ -269,7 +252,8 @@ std::optional<Options> parse_options(int count, char** arguments) {
             std::find(sequence_names().begin(), sequence_names().end(), sequence) - sequence_names().begin());
         require_range("--frames", options.frames, 1, most_frames);
         if (options.cameras.size() > 1 || sun_elevations.size() > 1) {
-            fail("--sequence is of one camera and one sun; give one --camera and one --sun-elevation");
+            refuse_option(
+                "--sequence is of one camera and one sun; give one --camera and one --sun-elevation");
         }
     }
     require_range("--latitude", options.latitude, -90, 90);
@@ -277,7 +261,7 @@ std::optional<Options> parse_options(int count, char** arguments) {
     const auto refuse = [&](bool when, const std::string& why, const std::vector<std::string>& given) {
         for (const std::string& option : given) {
             if (when && app.count(option) > 0) {
-                fail(option + " has no effect: " + why);
+                refuse_option(option + " has no effect: " + why);
             }
         }
     };
@@ -300,13 +284,13 @@ std::optional<Options> parse_options(int count, char** arguments) {
     refuse(!options.window_frames, "it is for a --window with --frames", {"--screenshot", "--window-sizes"});
     if (nodes != airlight::DefaultScene::nodes && options.difference && !options.window &&
         !options.sequence) {
-        fail("the CPU has " + std::to_string(airlight::DefaultScene::nodes) +
-             " nodes: --nodes needs --difference off");
+        refuse_option("the CPU has " + std::to_string(airlight::DefaultScene::nodes) +
+                      " nodes: --nodes needs --difference off");
     }
     if (options.tolerance) {
         require_range("--tolerance", *options.tolerance, 0, 1e6);
         if (!options.difference) {
-            fail("--tolerance needs --difference on");
+            refuse_option("--tolerance needs --difference on");
         }
     }
     return options;

@@ -47,6 +47,15 @@ struct Options {
     std::optional<double> tolerance;  ///< of the largest relative difference
 };
 
+/// What --scene may be.
+inline const std::vector<std::string>& scene_names() {
+    static const std::vector<std::string> names = {"planet", "habitat"};
+    return names;
+}
+
+/// Whether the command line asks for the habitat, which has options of its own: habitat/options.hpp.
+bool asks_for_habitat(int count, char** arguments);
+
 /// The options, or nothing when --help was asked for and is printed. Throws support::Error.
 std::optional<Options> parse_options(int count, char** arguments);
 

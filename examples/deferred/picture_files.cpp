@@ -47,8 +47,10 @@ support::ExrImage layers(const GpuPicture& picture, const Frame& frame) {
     add("normal.X", picture.surfaces.normal, 4, 0);
     add("normal.Y", picture.surfaces.normal, 4, 1);
     add("normal.Z", picture.surfaces.normal, 4, 2);
-    add("sunlit.Y", picture.surfaces.shares, 4, 0);
-    add("skylit.Y", picture.surfaces.shares, 4, 1);
+    if (!picture.surfaces.shares.empty()) {
+        add("sunlit.Y", picture.surfaces.shares, 4, 0);
+        add("skylit.Y", picture.surfaces.shares, 4, 1);
+    }
     if (!picture.surfaces.clouds.empty()) {
         add("clouds.Y", picture.surfaces.clouds, 4, 3);
     }

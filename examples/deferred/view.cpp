@@ -56,6 +56,19 @@ const std::vector<Camera>& named_cameras() {
     return cameras;
 }
 
+void aim(Frame& frame, const glm::dvec3& forward, const glm::dvec3& up, double field_of_view, int width,
+         int height) {
+    const glm::dvec3 right = glm::cross(forward, up);
+    const double half_height = std::tan(field_of_view / 2 * degree);
+    const double pixel = 2 * half_height / height;
+    frame.width = width;
+    frame.height = height;
+    frame.ray_across = vec3(pixel * right);
+    frame.ray_up = vec3(pixel * up);
+    frame.ray_corner = vec3(forward - half_height * up - 0.5 * width * pixel * right);
+    frame.near_distance = float(near_distance);
+}
+
 View make_view(const Camera& camera, const Picturing& picturing, double ground_radius,
                const Terrain& terrain) {
     const double ground = terrain.height(camera.east, camera.north);
@@ -73,17 +86,10 @@ View make_view(const Camera& camera, const Picturing& picturing, double ground_r
     };
     const glm::dvec3 forward = compass(camera.heading, camera.pitch);
     const glm::dvec3 up = compass(camera.heading, camera.pitch + 90);
-    const glm::dvec3 right = glm::cross(forward, up);
-    const double half_height = std::tan(camera.field_of_view / 2 * degree);
-    const double pixel = 2 * half_height / picturing.height;
+    const double pixel = 2 * std::tan(camera.field_of_view / 2 * degree) / picturing.height;
 
     Frame frame{};
-    frame.width = picturing.width;
-    frame.height = picturing.height;
-    frame.ray_across = vec3(pixel * right);
-    frame.ray_up = vec3(pixel * up);
-    frame.ray_corner = vec3(forward - half_height * up - 0.5 * picturing.width * pixel * right);
-    frame.near_distance = float(near_distance);
+    aim(frame, forward, up, camera.field_of_view, picturing.width, picturing.height);
     frame.eye_position = vec3(place.position);
     frame.to_sun = vec3(compass(picturing.sun_azimuth, picturing.sun_elevation));
     frame.solar_irradiance = vec3(1);

@@ -44,6 +44,11 @@ struct View {
     Frame frame;
 };
 
+/// Gives a frame its rays, and its nearest distance: of a camera that looks along `forward`, its upper edge
+/// towards `up`.
+void aim(Frame& frame, const glm::dvec3& forward, const glm::dvec3& up, double field_of_view, int width,
+         int height);
+
 /// Throws support::Error when the camera is below the ground.
 View make_view(const Camera& camera, const Picturing& picturing, double ground_radius,
                const Terrain& terrain);

@@ -4,6 +4,7 @@
 
 #include <epoxy/gl.h>
 #include <airlight/atmosphere.hpp>
+#include <airlight/habitat_mapping.hpp>
 #include <glm/vec4.hpp>
 #include <string>
 
@@ -42,6 +43,25 @@ class Uniforms {
         set(name + ".ozone_altitude", a.ozone_altitude);
         set(name + ".ozone_half_width", a.ozone_half_width);
         set(name + ".ground_albedo", a.ground_albedo);
+    }
+
+    void set(const std::string& name, const airlight::HabitatAir<float>& a) const {
+        set(name + ".radius", a.radius);
+        set(name + ".density_rise", a.density_rise);
+        set(name + ".rayleigh_scattering", a.rayleigh_scattering);
+        set(name + ".mie_scattering", a.mie_scattering);
+        set(name + ".mie_absorption", a.mie_absorption);
+        set(name + ".mie_g", a.mie_g);
+    }
+
+    void set(const std::string& name, const airlight::HabitatLights<float>& l) const {
+        set(name + ".half_length", l.half_length);
+        set(name + ".begin", l.begin);
+        set(name + ".end", l.end);
+        set(name + ".width", l.width);
+        set(name + ".radiance", l.radiance);
+        set(name + ".fine", l.fine);
+        set(name + ".fine_share", l.fine_share);
     }
 
   private:

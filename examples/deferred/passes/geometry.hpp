@@ -1,20 +1,12 @@
 #pragma once
 
 #include "objects.hpp"
-#include "pass.hpp"
 #include "terrain.hpp"
+#include "triangles.hpp"
 #include "view.hpp"
 #include "world.hpp"
 
 namespace deferred {
-
-/// A mesh on the GPU.
-struct Triangles {
-    support::Buffer vertices;
-    support::Buffer indices;
-    support::VertexArray array;
-    int index_count = 0;
-};
 
 /// Triangles on the GPU, with positions relative to a camera: what the G-buffer and the shadow maps are drawn
 /// from.
