@@ -56,6 +56,10 @@ inline airlight::LinearLight<float> strip_in(Draw& draw, const airlight::Habitat
                                         radiance};
 }
 
+/// Why a ray among six strips may be left out of a comparison.
+inline constexpr const char* nearest_strip =
+    "which of six strips a ray comes nearest to, and where: often two are as near";
+
 /// On the inner side of a strip, from a fiftieth of its width to 20 widths off.
 inline auto strip_and_place_near_it(Draw& draw, const airlight::HabitatAir<float>& air) {
     const auto light = strip_in(draw, air);

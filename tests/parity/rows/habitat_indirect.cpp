@@ -66,6 +66,7 @@ static const bool habitat_radiance_row =
             return std::tuple_cat(std::make_tuple(air, lights, albedo), eye_and_direction(draw, air));
         })
         .count(1024)
+        .left_out(0.35, 0.01, nearest_strip)
         .cpu([](auto run, const auto& air, const auto& lights, const auto& albedo, const auto& eye,
                 const auto& direction) {
             using R = decltype(run);

@@ -74,6 +74,7 @@ static const bool habitat_scattering_by_nodes_row =
     row("habitat_scattering_by_nodes")
         .inputs(habitat_view)
         .count(2048)
+        .left_out(0.35, 0.01, nearest_strip)
         .cpu([](auto run, const auto& air, const auto& lights, const auto& eye, const auto& direction,
                 auto distance) {
             using R = decltype(run);
