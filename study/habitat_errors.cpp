@@ -603,8 +603,8 @@ light" is asked at 16 points of each strip; "phases" sums `strip_scattering` ove
 `bake_habitat_indirect` with 25 x 9 x 9 texels and 128 directions. Time is that of a ray, over that of
 the document's, )" +
         unit_name + R"(.
-GPU instructions are those of `shader_cost`, see [bench](../bench/README.md), without the fetch of a table; a dash where they were
-not counted.
+GPU instructions are those of `shader_cost`, see [bench](../bench/README.md), without the fetch of a table and with both
+stretches of a ray by nodes, though only a ray past an end of a strip has two; a dash where they were not counted.
 
 | method | kB in 16 bits | bake, s on )" +
         cores +

@@ -12,6 +12,8 @@ namespace {
 const std::map<std::string, std::string> inputs_by_name = {
     {"vec3 a", "draw.direction"},
     {"vec3 albedo", "draw.color(0, 1)"},
+    {"StripApproach approach",
+     "airlight::strip_approach(strip_of<T>(), draw.place(), draw.direction, T(2e4))"},
     {"float along", "(atmosphere.ground_radius + draw.altitude) * draw.mu"},
     {"float strip_corner.across", "draw.choose(2) ? T(1) : T(-1)"},
     {"float strip_corner.along", "draw.choose(2) ? T(1) : T(-1)"},

@@ -94,34 +94,41 @@ vec3 airlight_habitat_scattering_marched(airlight_HabitatAir air, airlight_Habit
     return sum * (distance / float(steps > 0 ? steps : 1));
 }
 
-// The same by few nodes, around the place where the ray is nearest to the strip that it comes nearest to.
+// The same by few nodes, on the stretches of peak_stretch past the strip that the ray comes nearest to.
 //
 // Units:    those of habitat_scattering_marched.
 // Shape:    the result is a spectrum.
 // Domain:   that of habitat_scattering_marched.
-// Accuracy: 10 nodes: 0.05 % for 95 % of rays, 0.35 % by the table of what passes; 8 nodes 0.09 %.
+// Accuracy: 10 nodes: 0.03 % for 95 % of rays, 0.35 % by the table of what passes; 8 nodes 0.11 %.
 // Errors:   none; 0 for a distance of 0.
 // Source:   docs/theory/linear_light.md.
 vec3 airlight_habitat_scattering_by_nodes(airlight_HabitatAir air, airlight_HabitatLights lights, vec3 eye,
                                           vec3 direction, float distance) {
-    float peak = 0.0;
-    float width = 0.0;
+    int nearest_strip = 0;
+    float least_gap = 0.0;
     for (int i = 0; i < 6; ++i) {
         airlight_LinearLight light = airlight_habitat_strip(air, lights, i);
         float nearest = airlight_nearest_to_strip(light, eye, direction, distance);
         float gap = airlight_peak_width(light, eye + nearest * direction, distance);
-        if (i == 0 || gap < width) {
-            peak = nearest;
-            width = gap;
+        if (i == 0 || gap < least_gap) {
+            nearest_strip = i;
+            least_gap = gap;
         }
     }
+    airlight_StripApproach approach =
+        airlight_strip_approach(airlight_habitat_strip(air, lights, nearest_strip), eye, direction, distance);
     vec3 sum = vec3(0.0, 0.0, 0.0);
-    for (int i = 0; i < AIRLIGHT_NODES; ++i) {
-        airlight_PeakNode node = airlight_peak_node(peak, width, distance, i);
-        vec3 position = eye + node.t * direction;
-        vec3 mean_radiance = AIRLIGHT_HABITAT_LIGHT(position);
-        sum += node.weight * airlight_habitat_transmittance(air, eye, position) *
-               airlight_isotropic_source(air, position, mean_radiance);
+    for (int k = 0; k < 2; ++k) {
+        airlight_PeakStretch stretch = airlight_peak_stretch(approach, distance, k);
+        if (k == 0 || approach.ends) {
+            for (int i = 0; i < AIRLIGHT_NODES; ++i) {
+                airlight_PeakNode node = airlight_peak_node(stretch.peak, stretch.width, stretch.extent, i);
+                vec3 position = eye + (stretch.begin + node.t) * direction;
+                vec3 mean_radiance = AIRLIGHT_HABITAT_LIGHT(position);
+                sum += node.weight * airlight_habitat_transmittance(air, eye, position) *
+                       airlight_isotropic_source(air, position, mean_radiance);
+            }
+        }
     }
     return sum;
 }

@@ -99,36 +99,43 @@ vec3<T> habitat_scattering_marched(const HabitatAir<T>& air, const HabitatLights
     return sum * (distance / T(steps > 0 ? steps : 1));
 }
 
-/// The same by few nodes, around the place where the ray is nearest to the strip that it comes nearest to.
+/// The same by few nodes, on the stretches of peak_stretch past the strip that the ray comes nearest to.
 ///
 /// Units:    those of habitat_scattering_marched.
 /// Shape:    the result is a spectrum.
 /// Domain:   that of habitat_scattering_marched.
-/// Accuracy: 10 nodes: 0.05 % for 95 % of rays, 0.35 % by the table of what passes; 8 nodes 0.09 %.
+/// Accuracy: 10 nodes: 0.03 % for 95 % of rays, 0.35 % by the table of what passes; 8 nodes 0.11 %.
 /// Errors:   none; 0 for a distance of 0.
 /// Source:   docs/theory/linear_light.md.
 template <typename T, typename Scene = DefaultScene, typename HabitatLight = BareHabitatLight>
 vec3<T> habitat_scattering_by_nodes(const HabitatAir<T>& air, const HabitatLights<T>& lights,
                                     const vec3<T>& eye, const vec3<T>& direction, T distance,
                                     const HabitatLight& habitat_light = HabitatLight{}) {
-    T peak = T(0);
-    T width = T(0);
+    int nearest_strip = 0;
+    T least_gap = T(0);
     for (int i = 0; i < 6; ++i) {
         const LinearLight<T> light = habitat_strip(air, lights, i);
         const T nearest = nearest_to_strip(light, eye, direction, distance);
         const T gap = peak_width(light, eye + nearest * direction, distance);
-        if (i == 0 || gap < width) {
-            peak = nearest;
-            width = gap;
+        if (i == 0 || gap < least_gap) {
+            nearest_strip = i;
+            least_gap = gap;
         }
     }
+    const StripApproach<T> approach =
+        strip_approach(habitat_strip(air, lights, nearest_strip), eye, direction, distance);
     vec3<T> sum = vec3<T>(T(0), T(0), T(0));
-    for (int i = 0; i < Scene::nodes; ++i) {
-        const PeakNode<T> node = peak_node<T, Scene>(peak, width, distance, i);
-        const vec3<T> position = eye + node.t * direction;
-        const vec3<T> mean_radiance = habitat_light(air, lights, position);
-        sum += node.weight * habitat_transmittance<T, Scene>(air, eye, position) *
-               isotropic_source<T, Scene>(air, position, mean_radiance);
+    for (int k = 0; k < 2; ++k) {
+        const PeakStretch<T> stretch = peak_stretch(approach, distance, k);
+        if (k == 0 || approach.ends) {
+            for (int i = 0; i < Scene::nodes; ++i) {
+                const PeakNode<T> node = peak_node<T, Scene>(stretch.peak, stretch.width, stretch.extent, i);
+                const vec3<T> position = eye + (stretch.begin + node.t) * direction;
+                const vec3<T> mean_radiance = habitat_light(air, lights, position);
+                sum += node.weight * habitat_transmittance<T, Scene>(air, eye, position) *
+                       isotropic_source<T, Scene>(air, position, mean_radiance);
+            }
+        }
     }
     return sum;
 }

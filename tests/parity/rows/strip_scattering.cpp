@@ -156,6 +156,38 @@ static const bool peak_width_row =
         })
         .to_the_bit();
 
+/// A strip, and a ray that flies along it half of the time.
+static auto strip_and_ray(Draw& draw) {
+    const auto air = habitat(draw);
+    const auto light = strip_in(draw, air);
+    const auto eye = place_in(draw, air);
+    const auto aside = draw.direction();
+    const auto direction =
+        draw.one_of({0, 1}) == 0 ? aside : glm::normalize(light.along + draw.magnitude(1e-3F, 0.3F) * aside);
+    return std::make_tuple(light, eye, direction, air.radius * draw.magnitude(1e-3F, 6.0F, {0.0F}));
+}
+
+static const bool strip_approach_row =
+    row("strip_approach")
+        .inputs(strip_and_ray)
+        .left_out(0.35, 0.01, "where the ray is nearest to the strip: often at its end, or at the eye")
+        .cpu([](const auto& light, const auto& eye, const auto& direction, auto distance) {
+            return airlight::strip_approach(light, eye, direction, distance);
+        })
+        .to_the_bit();
+
+static const bool peak_stretch_row =
+    row("peak_stretch")
+        .inputs([](Draw& draw) {
+            const auto [light, eye, direction, distance] = strip_and_ray(draw);
+            const auto approach = airlight::strip_approach(light, eye, direction, distance);
+            return std::make_tuple(approach, distance, draw.one_of({0, 1}));
+        })
+        .cpu([](const auto& approach, auto distance, int i) {
+            return airlight::peak_stretch(approach, distance, i);
+        })
+        .to_the_bit();
+
 static const bool strip_scattering_row =
     row("strip_scattering")
         .inputs([](Draw& draw) {
