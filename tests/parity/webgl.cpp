@@ -104,6 +104,11 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
+std::string end_of_log(const std::filesystem::path& folder) {
+    const std::string log = support::read_file(folder / "log");
+    return log.substr(log.size() > 500 ? log.size() - 500 : 0);
+}
+
 /// Opens the page and returns the document after its script has run.
 std::string dumped_page(const std::string& browser, const std::filesystem::path& folder) {
     const std::string command = "timeout 900 " + quoted(browser) +
@@ -123,13 +128,15 @@ std::string dumped_page(const std::string& browser, const std::filesystem::path&
     }
     const int status = ::pclose(pipe);
     if (status != 0) {
-        const std::string log = support::read_file(folder / "log");
         throw support::Error("'" + browser + "' ended with status " +
                              std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : status) +
-                             "; the end of its log: " + log.substr(log.size() > 500 ? log.size() - 500 : 0));
+                             "; the end of its log: " + end_of_log(folder));
     }
     return out;
 }
+
+/// Of jobs in one page. Each job brings the whole library's text, and a string in V8 ends at 512 MiB.
+constexpr std::size_t page_bytes = std::size_t{64} << 20U;
 
 struct Job {
     std::string text;
@@ -138,6 +145,83 @@ struct Job {
     std::size_t rows = 0;
     std::size_t per_result = 0;
 };
+
+/// One job in JSON. A page holds them in a script, which a "</" would end.
+std::string written(const Job& job) {
+    const nlohmann::json fields{{"text", job.text},
+                                {"inputs", base64(job.inputs)},
+                                {"rows", job.rows},
+                                {"per_result", job.per_result}};
+    std::string json = fields.dump();
+    for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at)) {
+        json.replace(at, 2, "<\\/");
+    }
+    return json;
+}
+
+/// The floats of each job by its number, or what the browser said instead; the driver once.
+struct Answers {
+    std::map<std::size_t, std::vector<float>> floats;
+    std::map<std::size_t, std::string> errors;
+    bool named_driver = false;
+};
+
+/// Takes one line of a page's document, whose jobs count from `first`. True for the last line.
+bool take_line(const std::string& line, const std::string& browser, std::size_t first, Answers& answers) {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    std::size_t number = 0;
+    if (kind == "DRIVER" && !answers.named_driver) {
+        std::cout << "driver: " << line.substr(7) << "\n";
+        answers.named_driver = true;
+    } else if (kind == "NOGL") {
+        throw support::Error("'" + browser + "' has no WebGL 2 with float render targets");
+    } else if (kind == "RESULT" && words >> number) {
+        std::string text;
+        words >> text;
+        answers.floats[first + number] = floats_of(text);
+    } else if (kind == "ERROR" && words >> number) {
+        answers.errors[first + number] = line;
+    }
+    return kind == "DONE";
+}
+
+/// Runs the jobs `first` to `end`, written in `list`, in a browser of their own.
+void run_page(const std::string& browser, const std::string& list, std::size_t first, std::size_t end,
+              Answers& answers) {
+    std::string page = support::read_file(AIRLIGHT_PARITY_WEBGL_PAGE);
+    const std::string mark = "/*JOBS*/[]";
+    page.replace(page.find(mark), mark.size(), "[" + list + "]");
+
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("airlight-parity-webgl-" + std::to_string(::getpid()));
+    struct Removed {
+        std::filesystem::path folder;
+        ~Removed() {
+            std::error_code ignored;
+            std::filesystem::remove_all(folder, ignored);
+        }
+    } removed{folder};
+    std::filesystem::create_directories(folder);
+    support::write_file(folder / "page.html", page);
+    std::istringstream document(dumped_page(browser, folder));
+
+    bool done = false;
+    for (std::string line; std::getline(document, line);) {
+        const std::size_t keyword = line.find_last_of('>');  // the first line stands behind <pre ...>
+        if (keyword != std::string::npos && line.compare(0, 5, "ERROR") != 0) {
+            line = line.substr(keyword + 1);
+        }
+        done = take_line(line, browser, first, answers) || done;
+    }
+    if (!done) {
+        throw support::Error("the page of shaders " + std::to_string(first) + " to " +
+                             std::to_string(end - 1) + " did not finish in '" + browser +
+                             "'; the end of its log: " + end_of_log(folder));
+    }
+    std::cout << end << " shaders done\n" << std::flush;
+}
 
 int run(const Options& options) {
     const Manifest manifest = read_manifest(options.glsl.folder / "manifest.json");
@@ -170,7 +254,7 @@ int run(const Options& options) {
         }
     };
 
-    // Once to collect the shaders, one browser for all of them, and once more to compare.
+    // Once to collect the shaders, which run in a few pages, and once more to compare.
     std::vector<Job> jobs;
     each_row(
         [&](const std::string& text, const std::string& file, const std::vector<float>& inputs,
@@ -179,63 +263,17 @@ int run(const Options& options) {
             return std::vector<float>(rows * per_result);
         },
         nullptr);
-    nlohmann::json list = nlohmann::json::array();
-    for (const Job& job : jobs) {
-        list.push_back({{"text", job.text},
-                        {"inputs", base64(job.inputs)},
-                        {"rows", job.rows},
-                        {"per_result", job.per_result}});
-    }
-    std::string page = support::read_file(AIRLIGHT_PARITY_WEBGL_PAGE);
-    const std::string mark = "/*JOBS*/[]";
-    std::string json = list.dump();
-    for (std::size_t at = json.find("</"); at != std::string::npos; at = json.find("</", at)) {
-        json.replace(at, 2, "<\\/");  // no end of the script inside it
-    }
-    page.replace(page.find(mark), mark.size(), json);
-
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("airlight-parity-webgl-" + std::to_string(::getpid()));
-    struct Removed {
-        std::filesystem::path folder;
-        ~Removed() {
-            std::error_code ignored;
-            std::filesystem::remove_all(folder, ignored);
-        }
-    } removed{folder};
-    std::filesystem::create_directories(folder);
-    support::write_file(folder / "page.html", page);
     std::cout << jobs.size() << " shaders in " << browser << "\n";
-    std::istringstream document(dumped_page(browser, folder));
-
-    std::map<std::size_t, std::vector<float>> answers;
-    std::map<std::size_t, std::string> errors;
-    bool done = false;
-    for (std::string line; std::getline(document, line);) {
-        const std::size_t keyword = line.find_last_of('>');  // the first line stands behind <pre ...>
-        if (keyword != std::string::npos && line.compare(0, 5, "ERROR") != 0) {
-            line = line.substr(keyword + 1);
+    Answers answers;
+    std::string list;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        list += (list.empty() ? "" : ",") + written(jobs[i]);
+        if (list.size() > page_bytes || i + 1 == jobs.size()) {
+            run_page(browser, list, first, i + 1, answers);
+            list.clear();
+            first = i + 1;
         }
-        std::istringstream words(line);
-        std::string kind;
-        words >> kind;
-        std::size_t number = 0;
-        if (kind == "DRIVER") {
-            std::cout << "driver: " << line.substr(7) << "\n";
-        } else if (kind == "NOGL") {
-            throw support::Error("'" + browser + "' has no WebGL 2 with float render targets");
-        } else if (kind == "DONE") {
-            done = true;
-        } else if (kind == "RESULT" && words >> number) {
-            std::string text;
-            words >> text;
-            answers[number] = floats_of(text);
-        } else if (kind == "ERROR" && words >> number) {
-            errors[number] = line;
-        }
-    }
-    if (!done) {
-        throw support::Error("the page did not finish in '" + browser + "'");
     }
 
     std::size_t next = 0;
@@ -244,10 +282,10 @@ int run(const Options& options) {
         [&](const std::string&, const std::string& file, const std::vector<float>&, std::size_t rows,
             std::size_t per_result) {
             const std::size_t number = next++;
-            if (errors.count(number) != 0) {
-                throw support::Error(file + ": " + errors[number]);
+            if (answers.errors.count(number) != 0) {
+                throw support::Error(file + ": " + answers.errors[number]);
             }
-            const std::vector<float>& padded = answers[number];
+            const std::vector<float>& padded = answers.floats[number];
             const std::size_t stride = (per_result + 3) / 4 * 4;
             if (padded.size() != rows * stride) {
                 throw support::Error(file + ": the page gave " + std::to_string(padded.size()) +

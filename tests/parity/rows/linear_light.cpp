@@ -114,6 +114,7 @@ static const bool near_strip_irradiance_row =
         .cpu([](const auto& light, const auto& position, const auto& normal) {
             return airlight::near_strip_irradiance(light, position, normal);
         })
+        .left_out(0.25, 0.03, "a corner of the strip often lies in the plane; measured: 0.018 in WebGL")
         .to_the_bit();
 
 static const bool strip_irradiance_row =
