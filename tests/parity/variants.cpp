@@ -1,8 +1,6 @@
 // Every generated file in every version of GLSL and with every flag, a term that is off against coefficients
 // of zero, and proof that the comparison notices an edited shader.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -14,6 +12,7 @@
 
 #include "builtins.hpp"
 #include "compare.hpp"
+#include "scratch_folder.hpp"
 #include "start.hpp"
 #include "support/error.hpp"
 #include "support/files.hpp"
@@ -306,18 +305,9 @@ std::vector<Edit> edits_of(const Function& function, const std::string& text) {
 }
 
 void try_edits(const Manifest& manifest, const GlslFolder& glsl, const Settings& settings, Counter& counter) {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("airlight-parity-edits-" + std::to_string(::getpid()));
-    struct Removed {
-        std::filesystem::path folder;
-        ~Removed() {
-            std::error_code ignored;
-            std::filesystem::remove_all(folder, ignored);
-        }
-    } removed{folder};
-    std::filesystem::create_directories(folder);
+    const ScratchFolder scratch("edits");
     std::filesystem::copy(
-        glsl.folder, folder,
+        glsl.folder, scratch.path,
         std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
 
     Settings few = settings;
@@ -335,14 +325,15 @@ void try_edits(const Manifest& manifest, const GlslFolder& glsl, const Settings&
         std::size_t noticed_here = 0;
         const std::vector<Edit> edits = edits_of(function, text);
         for (const Edit& edit : edits) {
-            support::write_file(folder / function.file, edit.text);
-            const bool failed = !run_row(*row, function, manifest, GlslFolder{folder}, few).failures.empty();
+            support::write_file(scratch.path / function.file, edit.text);
+            const bool failed =
+                !run_row(*row, function, manifest, GlslFolder{scratch.path}, few).failures.empty();
             noticed_here += failed ? 1 : 0;
             if (!failed) {
                 std::cout << function.name << ": not noticed: " << edit.description << "\n";
             }
         }
-        support::write_file(folder / function.file, text);
+        support::write_file(scratch.path / function.file, text);
         noticed += noticed_here;
         all += edits.size();
         const bool calls_only = edits.empty();  // nothing of its own to edit: its callees are

@@ -16,6 +16,7 @@
 #include <string>
 
 #include "compare.hpp"
+#include "scratch_folder.hpp"
 #include "start.hpp"
 #include "support/error.hpp"
 #include "support/files.hpp"
@@ -194,18 +195,9 @@ void run_page(const std::string& browser, const std::string& list, std::size_t f
     const std::string mark = "/*JOBS*/[]";
     page.replace(page.find(mark), mark.size(), "[" + list + "]");
 
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("airlight-parity-webgl-" + std::to_string(::getpid()));
-    struct Removed {
-        std::filesystem::path folder;
-        ~Removed() {
-            std::error_code ignored;
-            std::filesystem::remove_all(folder, ignored);
-        }
-    } removed{folder};
-    std::filesystem::create_directories(folder);
-    support::write_file(folder / "page.html", page);
-    std::istringstream document(dumped_page(browser, folder));
+    const ScratchFolder scratch("webgl");
+    support::write_file(scratch.path / "page.html", page);
+    std::istringstream document(dumped_page(browser, scratch.path));
 
     bool done = false;
     for (std::string line; std::getline(document, line);) {
@@ -218,7 +210,7 @@ void run_page(const std::string& browser, const std::string& list, std::size_t f
     if (!done) {
         throw support::Error("the page of shaders " + std::to_string(first) + " to " +
                              std::to_string(end - 1) + " did not finish in '" + browser +
-                             "'; the end of its log: " + end_of_log(folder));
+                             "'; the end of its log: " + end_of_log(scratch.path));
     }
     std::cout << end << " shaders done\n" << std::flush;
 }
